@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <cable_variation/math/pose.h>
+
+namespace cable_variation {
+
+/// A component's pose in its parent's frame at one time.
+struct TimedPose {
+  double time = 0.0;  ///< [s], from the motion's own start
+  Pose pose;
+};
+
+/// A recorded motion of one component, replacing its pose in its parent.
+struct Motion {
+  std::string name;
+  std::string component;
+  std::string file;   ///< address of a TUM trajectory or a bag
+  std::string topic;  ///< of a bag: a pose topic, or /tf (then the component's frame is looked for)
+  std::vector<TimedPose> samples;  ///< by increasing time; empty until loaded (bags are read by the ROS side)
+
+  double duration() const { return samples.empty() ? 0.0 : samples.back().time; }
+};
+
+/// Pose at `time` [s], clamped to the recording: linear in position, slerp in
+/// orientation. Throws std::invalid_argument if nothing is loaded.
+Pose poseAt(const Motion& motion, double time);
+
+/// Reads a TUM trajectory: lines `time tx ty tz qx qy qz qw`, # starts a comment.
+/// Times are shifted to start at 0. Throws std::invalid_argument with file and
+/// line: numbers missing, not finite, times that do not increase, zero quaternion,
+/// a norm further than 1e-3 from 1.
+std::vector<TimedPose> readTum(const std::string& path);
+
+}  // namespace cable_variation

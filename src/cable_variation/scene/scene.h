@@ -1,0 +1,122 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include <cable_variation/geometry/triangle_mesh.h>
+#include <cable_variation/harness/harness.h>
+#include <cable_variation/math/pose.h>
+#include <cable_variation/scene/motion.h>
+
+namespace cable_variation {
+
+/// One visible piece of a component, with its pose in the component's frame.
+struct Visual {
+  std::string name;           ///< URDF: the link it belongs to
+  Pose pose;                  ///< in the component's frame
+  std::string mesh_resource;  ///< address for RViz (package:// or file://); empty for a primitive
+  Eigen::Vector3d mesh_scale = Eigen::Vector3d::Ones();
+  std::shared_ptr<const TriangleMesh>
+      mesh;  ///< in metres, scale applied, in the visual's frame; primitives are tessellated
+  Eigen::Vector4d color{0.65, 0.67, 0.70, 1.0};  ///< r g b a
+};
+
+/// A rigid part. Its name is its tf frame.
+struct Component {
+  std::string name;
+  std::string parent = "world";  ///< a component, or world
+  Pose pose;                     ///< in the parent's frame
+  std::vector<Visual> visuals;   ///< of a URDF: every link's, its joints at the positions given
+  std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>>
+      locators;  ///< 3-2-1: point, unit direction, in its frame
+};
+
+/// Where a clip of the scene rides: the frame of `Harness::clips[i]` is
+/// pose(component) * pose.
+struct ClipMount {
+  std::string component = "world";
+  Pose pose;
+};
+
+/// What a design variable moves or scales.
+struct ClipTranslation {
+  std::size_t clip;
+  Axis axis;
+};  ///< [m], in the clip's frame
+struct ClipRotation {
+  std::size_t clip;
+  Axis axis;
+};  ///< [rad], in the clip's frame
+struct ClipArcLength {
+  std::size_t clip;
+};  ///< [m]
+struct CableProperty {
+  enum class Property { length, radius, EI, GJ, EA, density, rest_curvature };
+  std::size_t cable;
+  Property property;
+};
+struct BreakoutArcLength {
+  std::size_t joint;
+};  ///< [m]
+struct ComponentTranslation {
+  std::size_t component;
+  Axis axis;
+};  ///< [m], in the component's frame
+struct ComponentRotation {
+  std::size_t component;
+  Axis axis;
+};  ///< [rad]
+struct LocatorDeviation {
+  std::size_t component;
+  std::size_t locator;
+};  ///< [m]
+using DesignTarget =
+    std::variant<ClipTranslation, ClipRotation, ClipArcLength, CableProperty, BreakoutArcLength,
+                 ComponentTranslation, ComponentRotation, LocatorDeviation>;
+
+/// A quantity that production varies. Its value is a deviation from the scene's
+/// nominal for poses and locators (nominal 0), the quantity itself for the
+/// properties of a cable and for arc lengths.
+struct DesignVariable {
+  std::string name;
+  DesignTarget target;
+  std::string unit;  ///< SI: m, rad, N m^2, N, kg/m, 1 (factor)
+  double nominal = 0.0;
+  double lower = 0.0;  ///< of the tolerance, as a deviation from nominal (<= 0)
+  double upper = 0.0;  ///< likewise (>= 0)
+  std::string distribution = "normal";
+  std::map<std::string, double> distribution_parameters;
+};
+
+/// A scene file's contents, resolved and checked.
+struct Scene {
+  std::string source;      ///< path of the file
+  double accuracy = 1e-4;  ///< of every centreline [m]
+  std::vector<Component> components;
+  Harness harness;  ///< clip poses resolved to the world at the scene's own component poses
+  std::vector<ClipMount> clip_mounts;  ///< one per harness clip
+  std::vector<DesignVariable> design_variables;
+  std::vector<Motion> motions;
+};
+
+/// Poses of components in the world that differ from the scene's own (moved by tf or a motion).
+using ComponentPoses = std::map<std::string, Pose>;
+
+/// Pose of a component in the world; a name in `moved` takes its pose from
+/// there, and so do those that ride on it. "world" is the identity.
+/// Throws std::invalid_argument for an unknown name.
+Pose componentPose(const Scene& scene, const std::string& component, const ComponentPoses& moved = {});
+
+/// Values of design variables by name; the others are nominal.
+using DesignValues = std::map<std::string, double>;
+
+/// The harness with the design variables at `values`, its clips where the
+/// components are (at the scene's own poses, or `moved`). Throws
+/// std::invalid_argument that names an unknown variable, or a value that is not
+/// finite or leaves the physical.
+Harness harnessAt(const Scene& scene, const DesignValues& values, const ComponentPoses& moved = {});
+
+}  // namespace cable_variation
