@@ -105,6 +105,9 @@ class EquilibriumSolver {
  public:
   explicit EquilibriumSolver(const EquilibriumOptions& options = {});
   ~EquilibriumSolver();
+  /// A copy has the shape of the original to follow and goes its own way from there.
+  EquilibriumSolver(const EquilibriumSolver& other);
+  EquilibriumSolver& operator=(const EquilibriumSolver& other);
   EquilibriumSolver(EquilibriumSolver&&) noexcept;
   EquilibriumSolver& operator=(EquilibriumSolver&&) noexcept;
 
