@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cable_variation/harness/equilibrium.h>
+
+namespace cable_variation {
+
+/// How tightly a cable is bent where it is bent the most.
+struct BendRadius {
+  double radius = 0.0;      ///< of the centreline [m]; infinite: straight
+  double arc_length = 0.0;  ///< where that is [m]
+};
+
+/// The smallest radius of curvature between neighbouring points of the shape:
+/// their distance over the angle between their tangents. Throws
+/// std::invalid_argument for fewer than two points.
+BendRadius smallestBendRadius(const CableShape& shape);
+
+}  // namespace cable_variation

@@ -1,0 +1,118 @@
+#include <cable_variation/scene/design.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace cable_variation {
+
+namespace {
+
+template <typename Named>
+std::size_t indexOf(const std::vector<Named>& all, const std::string& name, const char* kind) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].name == name) return i;
+  }
+  throw std::invalid_argument(std::string("no ") + kind + " named '" + name + "'");
+}
+
+/// Whether the variable's value is the quantity itself, not a deviation.
+bool setsQuantity(const DesignTarget& target) {
+  return std::holds_alternative<ClipArcLength>(target) || std::holds_alternative<CableProperty>(target) ||
+         std::holds_alternative<BreakoutArcLength>(target);
+}
+
+bool sameQuantity(const DesignTarget& a, const DesignTarget& b) {
+  if (a.index() != b.index()) return false;
+  if (const auto* clip = std::get_if<ClipArcLength>(&a)) return clip->clip == std::get<ClipArcLength>(b).clip;
+  if (const auto* joint = std::get_if<BreakoutArcLength>(&a)) {
+    return joint->joint == std::get<BreakoutArcLength>(b).joint;
+  }
+  const auto* property = std::get_if<CableProperty>(&a);
+  return property != nullptr && property->cable == std::get<CableProperty>(b).cable &&
+         property->property == std::get<CableProperty>(b).property;
+}
+
+/// Makes `value` the scene's own for what `variable` sets.
+void setQuantity(Scene& scene, const DesignVariable& variable, double value) {
+  Scene edited = scene;
+  edited.design_variables = {variable};
+  edited.harness = harnessAt(edited, {{variable.name, value}});
+  validate(edited.harness);
+  for (DesignVariable& other : scene.design_variables) {
+    if (sameQuantity(other.target, variable.target)) other.nominal = value;
+  }
+  scene.harness = std::move(edited.harness);
+}
+
+void requireFinite(const std::string& what, const Eigen::Vector3d& value) {
+  if (!value.allFinite()) throw std::invalid_argument(what + " is not finite");
+}
+
+}  // namespace
+
+Harness harnessAt(const Design& design, const DesignValues& values, const ComponentPoses& moved) {
+  DesignValues all = values;
+  all.insert(design.shifted.begin(), design.shifted.end());
+  return harnessAt(design.scene, all, moved);
+}
+
+void setNominal(Design& design, const std::string& variable, double value) {
+  const std::size_t index = indexOf(design.scene.design_variables, variable, "design variable");
+  if (!std::isfinite(value)) {
+    throw std::invalid_argument("design variable '" + variable + "': value is not finite");
+  }
+  DesignVariable& found = design.scene.design_variables[index];
+  if (setsQuantity(found.target)) {
+    setQuantity(design.scene, DesignVariable(found), value);
+  } else {
+    found.nominal = value;
+    design.shifted[variable] = value;
+  }
+}
+
+void setCableLength(Design& design, const std::string& cable, double length) {
+  DesignVariable edit;
+  edit.name = "length of cable '" + cable + "'";
+  const std::size_t index = indexOf(design.scene.harness.cables, cable, "cable");
+  edit.target = CableProperty{index, CableProperty::Property::length};
+  edit.nominal = design.scene.harness.cables[index].length;
+  setQuantity(design.scene, edit, length);
+}
+
+void setClipArcLength(Design& design, const std::string& clip, double arc_length) {
+  DesignVariable edit;
+  edit.name = "arc length of clip '" + clip + "'";
+  const std::size_t index = indexOf(design.scene.harness.clips, clip, "clip");
+  edit.target = ClipArcLength{index};
+  edit.nominal = design.scene.harness.clips[index].arc_length;
+  setQuantity(design.scene, edit, arc_length);
+}
+
+void setClipPose(Design& design, const std::string& clip, const Pose& pose) {
+  Scene& scene = design.scene;
+  const std::size_t index = indexOf(scene.harness.clips, clip, "clip");
+  requireFinite("position of clip '" + clip + "'", pose.position);
+  const double norm = pose.orientation.norm();
+  if (!(std::abs(norm - 1.0) < 1e-3)) {
+    throw std::invalid_argument("quaternion of clip '" + clip + "' has norm " + std::to_string(norm) +
+                                ", expected 1");
+  }
+  ClipMount& mount = scene.clip_mounts[index];
+  mount.pose = {pose.position, pose.orientation.normalized()};
+  scene.harness.clips[index].pose = componentPose(scene, mount.component) * mount.pose;
+}
+
+void moveClip(Design& design, const std::string& clip, const Eigen::Vector3d& translation,
+              const Eigen::Vector3d& rotation) {
+  requireFinite("translation of clip '" + clip + "'", translation);
+  requireFinite("rotation of clip '" + clip + "'", rotation);
+  const std::size_t index = indexOf(design.scene.harness.clips, clip, "clip");
+  const double angle = rotation.norm();
+  Pose step;
+  step.position = translation;
+  if (angle > 0.0) step.orientation = Eigen::AngleAxisd(angle, rotation / angle);
+  setClipPose(design, clip, design.scene.clip_mounts[index].pose * step);
+}
+
+}  // namespace cable_variation

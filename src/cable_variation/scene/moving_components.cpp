@@ -1,0 +1,51 @@
+#include <cable_variation/scene/moving_components.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace cable_variation {
+
+namespace {
+
+const Component& componentNamed(const Scene& scene, const std::string& name) {
+  for (const Component& component : scene.components) {
+    if (component.name == name) return component;
+  }
+  throw std::invalid_argument("no component named '" + name + "'");
+}
+
+/// How many components it rides on.
+int depth(const Scene& scene, const std::string& name) {
+  int count = 0;
+  for (std::string next = name; next != "world"; next = componentNamed(scene, next).parent) ++count;
+  return count;
+}
+
+}  // namespace
+
+std::set<std::string> movingComponents(const Scene& scene) {
+  std::set<std::string> own;
+  for (const Motion& motion : scene.motions) own.insert(motion.component);
+  std::set<std::string> moving;
+  for (const Component& component : scene.components) {
+    for (std::string next = component.name; next != "world"; next = componentNamed(scene, next).parent) {
+      if (own.count(next) != 0) moving.insert(component.name);
+    }
+  }
+  return moving;
+}
+
+ComponentPoses posesDuring(const Scene& scene, const std::vector<const Motion*>& motions, double time) {
+  std::vector<const Motion*> parents_first = motions;
+  std::stable_sort(parents_first.begin(), parents_first.end(), [&](const Motion* a, const Motion* b) {
+    return depth(scene, a->component) < depth(scene, b->component);
+  });
+  ComponentPoses poses;
+  for (const Motion* motion : parents_first) {
+    const Component& component = componentNamed(scene, motion->component);
+    poses[component.name] = componentPose(scene, component.parent, poses) * poseAt(*motion, time);
+  }
+  return poses;
+}
+
+}  // namespace cable_variation
