@@ -18,7 +18,9 @@ struct Motion {
   std::string name;
   std::string component;
   std::string file;   ///< address of a TUM trajectory or a bag
-  std::string topic;  ///< of a bag: a pose topic, or /tf (then the component's frame is looked for)
+  std::string path;   ///< the local file it stands for
+  std::string topic;  ///< of a bag: a pose topic, or /tf
+  std::string frame;  ///< of a bag, on /tf: the child frame to look for; the component's name if not given
   std::vector<TimedPose> samples;  ///< by increasing time; empty until loaded (bags are read by the ROS side)
 
   double duration() const { return samples.empty() ? 0.0 : samples.back().time; }

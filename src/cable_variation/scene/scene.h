@@ -53,10 +53,14 @@ struct ClipRotation {
 struct ClipArcLength {
   std::size_t clip;
 };  ///< [m]
+/// Sections and rest curvature of the cable scale in proportion, the value
+/// being that at the cable's start (EI: about y; rest_curvature: a factor).
 struct CableProperty {
   enum class Property { length, radius, EI, GJ, EA, density, rest_curvature };
   std::size_t cable;
   Property property;
+  bool similar = false;      ///< radius: stiffness and weight follow it (a section given by its geometry)
+  bool clips_scale = false;  ///< length: clips keep their fraction of it, not their distance from the start
 };
 struct BreakoutArcLength {
   std::size_t joint;
@@ -89,6 +93,8 @@ struct DesignVariable {
   double upper = 0.0;  ///< likewise (>= 0)
   std::string distribution = "normal";
   std::map<std::string, double> distribution_parameters;
+  std::vector<double> distribution_values;   ///< discrete, empirical: deviations from nominal
+  std::vector<double> distribution_weights;  ///< discrete: probabilities, of sum 1
 };
 
 /// A scene file's contents, resolved and checked.
@@ -112,6 +118,13 @@ Pose componentPose(const Scene& scene, const std::string& component, const Compo
 
 /// Values of design variables by name; the others are nominal.
 using DesignValues = std::map<std::string, double>;
+
+/// Poses in the world of all components with the design variables at `values`:
+/// a component's deviation moves it and all that rides on it, also where a
+/// pose comes from `moved` (which tells of components as designed).
+/// Throws std::invalid_argument as harnessAt().
+ComponentPoses componentPosesAt(const Scene& scene, const DesignValues& values,
+                                const ComponentPoses& moved = {});
 
 /// The harness with the design variables at `values`, its clips where the
 /// components are (at the scene's own poses, or `moved`). Throws
