@@ -45,6 +45,17 @@ void setQuantity(Scene& scene, const DesignVariable& variable, double value) {
   scene.harness = std::move(edited.harness);
 }
 
+/// The scene's own variable of `target`, or one made for it.
+DesignVariable variableOf(const Scene& scene, const DesignTarget& target, double nominal) {
+  for (const DesignVariable& variable : scene.design_variables) {
+    if (sameQuantity(variable.target, target)) return variable;
+  }
+  DesignVariable made;
+  made.target = target;
+  made.nominal = nominal;
+  return made;
+}
+
 void requireFinite(const std::string& what, const Eigen::Vector3d& value) {
   if (!value.allFinite()) throw std::invalid_argument(what + " is not finite");
 }
@@ -72,20 +83,18 @@ void setNominal(Design& design, const std::string& variable, double value) {
 }
 
 void setCableLength(Design& design, const std::string& cable, double length) {
-  DesignVariable edit;
-  edit.name = "length of cable '" + cable + "'";
   const std::size_t index = indexOf(design.scene.harness.cables, cable, "cable");
-  edit.target = CableProperty{index, CableProperty::Property::length};
-  edit.nominal = design.scene.harness.cables[index].length;
+  DesignVariable edit = variableOf(design.scene, CableProperty{index, CableProperty::Property::length},
+                                   design.scene.harness.cables[index].length);
+  edit.name = "length of cable '" + cable + "'";
   setQuantity(design.scene, edit, length);
 }
 
 void setClipArcLength(Design& design, const std::string& clip, double arc_length) {
-  DesignVariable edit;
-  edit.name = "arc length of clip '" + clip + "'";
   const std::size_t index = indexOf(design.scene.harness.clips, clip, "clip");
-  edit.target = ClipArcLength{index};
-  edit.nominal = design.scene.harness.clips[index].arc_length;
+  DesignVariable edit =
+      variableOf(design.scene, ClipArcLength{index}, design.scene.harness.clips[index].arc_length);
+  edit.name = "arc length of clip '" + clip + "'";
   setQuantity(design.scene, edit, arc_length);
 }
 

@@ -1,0 +1,163 @@
+#include <cable_variation/scene/distribution_reader.h>
+
+#include <cmath>
+#include <fstream>
+#include <numeric>
+#include <stdexcept>
+
+#include <cable_variation/scene/resource_address.h>
+
+namespace cable_variation {
+namespace {
+
+constexpr double kUsualSigma = 3.0;
+constexpr Range kShare{0.0, 1.0, false};
+
+struct Reading {
+  const YamlCursor& cursor;
+  const Quantity& quantity;
+  DesignVariable& variable;
+  const ReadContext& context;
+
+  void parameter(const char* key, const Range& range) const {
+    variable.distribution_parameters[key] = cursor.number(key, quantity::number, range);
+  }
+  void parameter(const char* key, const Range& range, double fallback) const {
+    variable.distribution_parameters[key] = cursor.number(key, quantity::number, range, fallback);
+  }
+  Range tolerance() const { return {variable.lower, variable.upper, false}; }
+};
+
+void readDiscrete(const Reading& r) {
+  constexpr double kSumTolerance = 1e-6;
+  const auto values = r.cursor.require("values");
+  if (!values) return;
+  for (const YamlCursor& item : values->items()) {
+    r.variable.distribution_values.push_back(item.number(r.quantity, r.tolerance()));
+  }
+  const std::size_t count = r.variable.distribution_values.size();
+  if (values->isList() && count == 0) values->fail("the list is empty; expected a value at least");
+  std::vector<double>& weights = r.variable.distribution_weights;
+  const auto probabilities = r.cursor.find("probabilities");
+  if (!probabilities) {
+    weights.assign(count, count > 0 ? 1.0 / static_cast<double>(count) : 0.0);
+    return;
+  }
+  for (const YamlCursor& item : probabilities->items(count)) {
+    weights.push_back(item.number(quantity::number, kShare));
+  }
+  const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
+  if (std::abs(sum - 1.0) > kSumTolerance && !weights.empty()) {
+    probabilities->fail("their sum is " + shortNumber(sum) + "; expected 1");
+  }
+}
+
+void readEmpirical(const Reading& r) {
+  const auto address = r.cursor.require("file");
+  std::string unit;
+  if (const auto given = r.cursor.find("unit")) {
+    unit = given->text();
+    try {
+      parseQuantity("1 " + unit, r.quantity);
+    } catch (const std::invalid_argument& error) {
+      given->fail(error.what());
+      return;
+    }
+  }
+  if (!address) return;
+  const std::string text = address->text();
+  if (text.empty()) return;
+  try {
+    const std::string path = localPath(text, r.context.find_package);
+    std::ifstream file(path);
+    std::string line;
+    for (int number = 1; std::getline(file, line); ++number) {
+      line.erase(std::min(line.find('#'), line.size()));
+      const std::size_t first = line.find_first_not_of(" \t\r");
+      if (first == std::string::npos) continue;
+      const std::string value = line.substr(first, line.find_last_not_of(" \t\r") + 1 - first);
+      try {
+        r.variable.distribution_values.push_back(
+            parseQuantity(unit.empty() ? value : value + " " + unit, r.quantity));
+      } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument(path + ":" + std::to_string(number) + ": " + error.what());
+      }
+    }
+    if (r.variable.distribution_values.size() < 2) {
+      throw std::invalid_argument("'" + text + "' holds " +
+                                  std::to_string(r.variable.distribution_values.size()) +
+                                  " samples; expected 2 or more");
+    }
+  } catch (const std::invalid_argument& error) {
+    address->fail(error.what());
+  }
+}
+
+struct DistributionType {
+  std::string name;
+  std::vector<std::string> keys;
+  void (*read)(const Reading&);
+};
+
+const std::vector<DistributionType>& distributionTypes() {
+  static const auto sigma = [](const Reading& r) { r.parameter("sigma", Range::positive(), kUsualSigma); };
+  static const std::vector<DistributionType> types{
+      {"normal", {"sigma"}, sigma},
+      {"truncated_normal", {"sigma"}, sigma},
+      {"uniform", {}, [](const Reading&) {}},
+      {"triangular",
+       {"mode"},
+       [](const Reading& r) {
+         r.variable.distribution_parameters["mode"] = r.cursor.number("mode", r.quantity, r.tolerance(), 0.0);
+       }},
+      {"trapezoidal", {"plateau"}, [](const Reading& r) { r.parameter("plateau", kShare, 0.5); }},
+      {"beta",
+       {"alpha", "beta"},
+       [](const Reading& r) {
+         r.parameter("alpha", Range::positive());
+         r.parameter("beta", Range::positive());
+       }},
+      {"weibull",
+       {"shape", "scale"},
+       [](const Reading& r) {
+         r.parameter("shape", Range::positive());
+         if (const auto scale = r.cursor.find("scale")) {
+           r.variable.distribution_parameters["scale"] = scale->number(r.quantity, Range::positive());
+         }
+       }},
+      {"skew_normal",
+       {"shape", "sigma"},
+       [](const Reading& r) {
+         r.parameter("shape", Range::any());
+         sigma(r);
+       }},
+      {"discrete", {"values", "probabilities"}, readDiscrete},
+      {"empirical", {"file", "unit"}, readEmpirical},
+  };
+  return types;
+}
+
+}  // namespace
+
+void readDistribution(const YamlCursor& cursor, const Quantity& quantity, DesignVariable& variable,
+                      const ReadContext& context) {
+  if (!cursor.isMap()) {
+    cursor.checkKeys({"type"});
+    return;
+  }
+  const auto type = cursor.require("type");
+  if (!type) return;
+  std::vector<std::string> names;
+  for (const DistributionType& known : distributionTypes()) names.push_back(known.name);
+  const std::size_t before = context.faults.count();
+  const DistributionType& found = distributionTypes()[type->choice(names)];
+  if (context.faults.count() > before) return;
+  std::vector<std::string> keys = found.keys;
+  keys.insert(keys.begin(), "type");
+  cursor.checkKeys(keys);
+  variable.distribution = found.name;
+  variable.distribution_parameters.clear();
+  found.read({cursor, quantity, variable, context});
+}
+
+}  // namespace cable_variation

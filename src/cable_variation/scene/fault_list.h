@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <cable_variation/scene/scene_reader.h>
+
+namespace cable_variation {
+
+/// The faults met while one scene file is read.
+class FaultList {
+ public:
+  explicit FaultList(std::string file) : file_(std::move(file)) {}
+
+  void add(int line, const std::string& message);
+  std::size_t count() const { return faults_.size(); }
+
+  /// By line, each once.
+  std::vector<SceneFault> sorted() const;
+
+ private:
+  std::string file_;
+  std::vector<SceneFault> faults_;
+};
+
+/// "; did you mean 'length'?" for the candidate nearest to `name`; else, if there
+/// are few, "; known: a, b"; else nothing.
+std::string didYouMean(const std::string& name, const std::vector<std::string>& candidates);
+
+/// "a, b, c"
+std::string joined(const std::vector<std::string>& words);
+
+}  // namespace cable_variation

@@ -1,0 +1,52 @@
+#include <filesystem>
+#include <stdexcept>
+
+#include <cable_variation/scene/read_context.h>
+#include <cable_variation/scene/resource_address.h>
+
+namespace cable_variation {
+namespace {
+
+void readMotion(const YamlCursor& item, Motion& motion, const ReadContext& context) {
+  if (!item.checkKeys({"name", "component", "file", "topic", "frame"})) return;
+  const std::size_t component = context.components.find(item, "component");
+  if (component != NameTable::npos) motion.component = context.components.name(component);
+  const auto file = item.require("file");
+  if (!file) return;
+  motion.file = file->text();
+  if (motion.file.empty()) return;
+
+  const std::string extension = std::filesystem::path(motion.file).extension().string();
+  const bool is_bag = extension == ".bag";
+  if (!is_bag && extension != ".tum" && extension != ".txt") {
+    file->fail("found '" + motion.file + "'; expected a .tum, .txt or .bag file");
+    return;
+  }
+  for (const char* key : {"topic", "frame"}) {
+    if (!is_bag && item.has(key)) item.find(key)->fail("it goes with a bag");
+  }
+  if (is_bag) {
+    motion.topic = item.has("topic") ? item.text("topic") : "/tf";
+    motion.frame = item.has("frame") ? item.text("frame") : motion.component;
+  }
+  try {
+    motion.path = localPath(motion.file, context.find_package);
+    if (!is_bag) motion.samples = readTum(motion.path);
+  } catch (const std::invalid_argument& error) {
+    file->fail(error.what());
+  }
+}
+
+}  // namespace
+
+void readMotions(const YamlCursor& list, ReadContext& context) {
+  for (const YamlCursor& entry : list.items()) {
+    const YamlCursor item = context.motions.add(entry);
+    Motion motion;
+    motion.name = context.motions.names().back();
+    readMotion(item, motion, context);
+    context.scene.motions.push_back(std::move(motion));
+  }
+}
+
+}  // namespace cable_variation

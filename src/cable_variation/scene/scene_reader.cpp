@@ -1,0 +1,110 @@
+#include <cable_variation/scene/scene_reader.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <cable_variation/scene/read_context.h>
+
+namespace cable_variation {
+namespace {
+
+constexpr Range kAccuracy{1e-6, 1e-2, false};  // [m]
+
+// The line of the thing that a harness's fault begins with: "clip 'NAME' ...".
+int lineOf(const std::string& message, const ReadContext& context) {
+  const std::vector<std::pair<std::string, const NameTable*>> tables{{"clip '", &context.clips},
+                                                                     {"joint '", &context.joints},
+                                                                     {"load '", &context.loads},
+                                                                     {"cable '", &context.cables}};
+  for (const auto& [start, table] : tables) {
+    if (message.compare(0, start.size(), start) != 0) continue;
+    const std::string name = message.substr(start.size(), message.find('\'', start.size()) - start.size());
+    for (std::size_t i = 0; i < table->size(); ++i) {
+      if (table->name(i) == name) return table->line(i);
+    }
+  }
+  return 0;
+}
+
+void readParts(const YamlCursor& root, ReadContext& context) {
+  if (!root.checkKeys({"gravity", "accuracy", "components", "materials", "cables", "clips", "joints", "loads",
+                       "design_variables", "motions"})) {
+    return;
+  }
+  context.scene.harness.gravity =
+      root.vector("gravity", quantity::acceleration, context.scene.harness.gravity);
+  context.scene.accuracy = root.number("accuracy", quantity::length, kAccuracy, context.scene.accuracy);
+  const auto part = [&](const char* key, void (*read)(const YamlCursor&, ReadContext&)) {
+    if (const auto value = root.find(key)) read(*value, context);
+  };
+  part("components", readComponents);
+  part("materials", readMaterials);
+  part("cables", readCables);
+  part("clips", readClips);
+  part("joints", readJoints);
+  part("loads", readLoads);
+  part("design_variables", readDesignVariables);
+  part("motions", readMotions);
+  if (!root.has("components") && !root.has("cables"))
+    root.fail("the scene has neither components nor cables");
+}
+
+// The harness as a whole, and at the limits of each design variable.
+void checkHarness(ReadContext& context) {
+  Scene& scene = context.scene;
+  try {
+    scene.harness = harnessAt(scene, {});
+  } catch (const std::invalid_argument& error) {
+    context.faults.add(lineOf(error.what(), context), error.what());
+    return;
+  }
+  for (std::size_t i = 0; i < scene.design_variables.size(); ++i) {
+    const DesignVariable& variable = scene.design_variables[i];
+    for (const double deviation : {variable.lower, variable.upper}) {
+      try {
+        harnessAt(scene, {{variable.name, variable.nominal + deviation}});
+      } catch (const std::invalid_argument& error) {
+        context.faults.add(context.design_variables.line(i),
+                           "at a limit of its tolerance, " + std::string(error.what()));
+      }
+    }
+  }
+}
+
+std::string readText(const std::string& path, FaultList& faults) {
+  std::error_code error;
+  std::ifstream file(path, std::ios::binary);
+  if (!std::filesystem::is_regular_file(path, error) || !file) {
+    faults.add(0, "the file cannot be read");
+    return {};
+  }
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+}  // namespace
+
+Scene readScene(const std::string& path, const PackageFinder& find_package) {
+  ReadContext context(path, find_package);
+  const std::string text = readText(path, context.faults);
+  if (context.faults.count() == 0) {
+    try {
+      const YAML::Node root = YAML::Load(text);
+      if (root.IsMap()) {
+        readParts(YamlCursor(root, root.Mark().line + 1, "", context.faults), context);
+      } else {
+        context.faults.add(root.IsNull() ? 0 : 1,
+                           "the file is no scene; expected a map with components, cables, clips");
+      }
+    } catch (const YAML::Exception& error) {
+      context.faults.add(error.mark.line + 1, "not valid YAML: " + error.msg);
+    }
+  }
+  if (context.faults.count() == 0) checkHarness(context);
+  if (context.faults.count() > 0) throw SceneError(context.faults.sorted());
+  return std::move(context.scene);
+}
+
+}  // namespace cable_variation

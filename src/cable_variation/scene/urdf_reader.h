@@ -1,0 +1,34 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <cable_variation/scene/scene.h>
+
+namespace cable_variation {
+
+/// Loads the mesh at an address with a scale per axis; throws std::invalid_argument.
+using MeshLoader = std::function<std::shared_ptr<const TriangleMesh>(const std::string& address,
+                                                                     const Eigen::Vector3d& scale)>;
+
+/// Where a joint is: an angle [rad] or a displacement [m].
+struct JointPosition {
+  enum class Unit { none, radian, metre };
+  double value = 0.0;
+  Unit unit = Unit::none;  ///< that it was given in
+};
+
+/// The visuals of every link of a URDF file (of a link without any: its
+/// collision geometry), in the frame of the root link, its joints at
+/// `joint_positions` by name and else at 0; mimic joints follow.
+/// What is wrong is appended to `faults`: the file itself, a floating or planar
+/// joint, a position out of the joint's limits or of no movable joint, a mesh,
+/// a primitive's size.
+std::vector<Visual> readUrdf(const std::string& path,
+                             const std::map<std::string, JointPosition>& joint_positions,
+                             const MeshLoader& load_mesh, std::vector<std::string>& faults);
+
+}  // namespace cable_variation
