@@ -1,0 +1,107 @@
+"""What the clips of the scenes in config/ sit on: connectors, sensors, sheet-metal stays.
+
+The frames of the clips are repeated here from the scenes: position, and yaw about z.
+"""
+
+import numpy as np
+
+from .curves import filleted
+from .electrics import BATTERY
+from .mesh import join
+from .part import ALUMINIUM, GREY_PLASTIC, PLASTIC, PRIMER, STEEL, Part
+from .polygon import circle, rectangle, regular, rounded, slot
+from .solids import bolts, box, lathe, plate, sweep, torus
+
+WH_END = (np.array([0.045, 0.250, 0.278]), -117.0)  # engine frame
+RELAY_SHELF = np.array([0.519, 0.348, 0.413])  # bay frame: middle of the shelf's upper rear edge
+WH_BRANCH = np.array([0.004, 0.262, 0.205])  # engine frame; the cable arrives along -y
+
+
+def strip(path, width, thickness=0.0025, bend=0.006, across=(1.0, 0.0, 0.0)):
+    """Sheet metal bent along a polyline."""
+    return sweep(rectangle(width, thickness, 0.0008, 2), filleted(path, bend, 5), across)
+
+
+def connector():
+    """A plug on x < 0 whose cable leaves at the origin along +x."""
+    body = box((0.030, 0.026, 0.018), (-0.021, 0, 0), 0.003)
+    latch = box((0.018, 0.008, 0.004), (-0.024, 0, 0.0105), 0.001)
+    ribs = [box((0.003, 0.028, 0.020), (x, 0, 0), 0.001, 1) for x in (-0.012, -0.018, -0.030)]
+    boot = lathe([(0, -0.008), (0.0075, -0.008), (0.0075, -0.004), (0.0062, -0.0025), (0.0062, 0), (0, 0)], 24)
+    return join(body, latch, ribs, boot.placed((0, 0, 0), (1, 0, 0)))
+
+
+def start_bracket():
+    """Connector WH_Start on its angle; its own frame is the clip's, turned by -30 deg from the bay's."""
+    angle = strip([[-0.022, -0.010, -0.0115], [-0.022, 0.0445, -0.0115], [-0.022, 0.0445, 0.016]], 0.030)
+    screws = bolts([(-0.022 + dx, 0.0432, 0.009) for dx in (-0.009, 0.009)], (0, -1, 0), width=0.007, height=0.005)
+    return join(connector(), join(angle, screws).rotated("z", 30))
+
+
+def end_bracket():
+    """In the engine's frame: the connector WH_End on an angle at the cylinder head's left end."""
+    place, yaw = WH_END
+    x = place[0] - 0.009
+    angle = strip([[x, place[1] - 0.010, place[2] - 0.0108], [x, 0.2265, place[2] - 0.0108], [x, 0.2265, 0.150]], 0.030)
+    screws = bolts([(x, 0.2278, z) for z in (0.165, 0.195)], (0, 1, 0), width=0.009, height=0.006)
+    # The cable arrives here, so the plug lies beyond the frame's origin.
+    return connector().rotated("z", yaw + 180).moved(place), join(angle, screws)
+
+
+def coolant_sensor():
+    """In the engine's frame: a screwed-in sensor with the connector WH_Branch."""
+    length = WH_BRANCH[1] - 0.224
+    nut = plate(regular(6, 0.017), 0.0, 0.009, bevel=0.001)
+    plug = lathe([(0, 0.008), (0.0085, 0.008), (0.0085, 0.013), (0.0072, 0.014), (0.0072, length - 0.010), (0.0058, length - 0.007), (0.0058, length), (0, length)], 24)
+    ring = torus(0.0075, 0.0012, 24, 8).moved(0, 0, length - 0.015)
+    place = (WH_BRANCH[0], 0.224, WH_BRANCH[2])
+    return join(plug, ring).placed(place, (0, 1, 0)), nut.placed(place, (0, 1, 0))
+
+
+def relay_stay():
+    """Two relays on a stay of the battery tray; the edge of its shelf is what the harness passes by."""
+    x, y, z = RELAY_SHELF
+    outline = rounded([[x, y - 0.034], [x + 0.044, y - 0.034], [x + 0.044, y + 0.036], [x, y + 0.036]], 0.007, 5)
+    holes = [circle(0.0035, 14, (x + 0.008, y - 0.024)), slot(0.018, 0.006, 12, (x + 0.009, y + 0.012), np.pi / 2)]
+    shelf = plate(outline, z - 0.0025, z, holes, 0.0008)
+    tray = BATTERY + [0, -0.1015, -0.088]
+    upright = strip([[x + 0.028, y - 0.02, z - 0.0035], [x + 0.028, tray[1], z - 0.0035], [x + 0.028, tray[1], tray[2] - 0.008]], 0.028)
+    screws = bolts([(x + 0.028, tray[1] - 0.0012, tray[2])], (0, -1, 0), width=0.010)
+    relays = []
+    for dy in (-0.016, 0.014):
+        case = box((0.024, 0.024, 0.026), (x + 0.028, y + dy, z + 0.015), 0.0025)
+        rim = box((0.027, 0.027, 0.004), (x + 0.028, y + dy, z + 0.003), 0.001, 1)
+        relays.append(join(case, rim))
+    return join(shelf, upright, screws), join(relays)
+
+
+def tie_stay():
+    """For WH_Tie: a stay on the gearbox that ends in a tab under the cable; about the clip's frame."""
+    foot = [[-0.088, 0, -0.153], [-0.068, 0, -0.170], [-0.016, 0, -0.115], [0.0, 0, -0.050], [0.0, 0, -0.0075]]
+    stay = strip(foot, 0.018, across=(0, 1, 0))
+    tab = plate(rounded([[-0.011, -0.013], [0.011, -0.013], [0.011, 0.013], [-0.011, 0.013]], 0.005), -0.0088, -0.0063, bevel=0.0008)
+    return join(stay, tab)
+
+
+def ring_stay():
+    """For WH_Ring: an arm from the cylinder head that ends in a tab under the cable; about the clip's frame."""
+    return tie_stay()
+
+
+def body_parts():
+    stay, relays = relay_stay()
+    return [Part("relay_stay", stay, STEEL), Part("relays", relays, GREY_PLASTIC)]
+
+
+def engine_parts():
+    plug, angle = end_bracket()
+    sensor, nut = coolant_sensor()
+    return [
+        Part("engine_connectors", join(plug, sensor), GREY_PLASTIC),
+        Part("engine_stays", join(angle, nut), STEEL),
+    ]
+
+
+def pieces():
+    """Parts that a scene adds one by one, each about its clip's frame."""
+    return [Part("start_bracket", start_bracket(), GREY_PLASTIC)]
