@@ -9,10 +9,15 @@ namespace cable_variation {
 namespace {
 
 template <class... Parts>
-[[noreturn]] void refuse(const Parts&... parts) {
+std::string textOf(const Parts&... parts) {
   std::ostringstream text;
   (text << ... << parts);
-  throw std::invalid_argument(text.str());
+  return text.str();
+}
+
+template <class... Parts>
+[[noreturn]] void refuse(const Parts&... parts) {
+  throw std::invalid_argument(textOf(parts...));
 }
 
 const Cable& cableOf(const Harness& harness, std::size_t index, const std::string& who) {
@@ -76,7 +81,7 @@ void validate(const Harness& harness, const PointLoad& load) {
 }
 
 // Two clips, or a clip and a joint's child, cannot hold one section.
-void refuseSharedSections(const Harness& harness) {
+void collectSharedSections(const Harness& harness, std::vector<std::string>& faults) {
   struct Claim {
     std::size_t cable;
     double arc_length;
@@ -93,8 +98,8 @@ void refuseSharedSections(const Harness& harness) {
       if (claims[i].cable != claims[j].cable) continue;
       const Cable& cable = harness.cables[claims[i].cable];
       if (std::abs(claims[i].arc_length - claims[j].arc_length) > 1e-6 * cable.length) continue;
-      refuse(claims[j].who, " and ", claims[i].who, " both hold cable '", cable.name, "' at ",
-             claims[i].arc_length, " m, expected different places");
+      faults.push_back(textOf(claims[j].who, " and ", claims[i].who, " both hold cable '", cable.name,
+                              "' at ", claims[i].arc_length, " m, expected different places"));
     }
   }
 }
@@ -106,7 +111,7 @@ bool holdsPosition(const Clip& clip) {
 }
 
 // Every cable must be connected, through joints, to a clip that holds something.
-void refuseLooseCables(const Harness& harness) {
+void collectLooseCables(const Harness& harness, std::vector<std::string>& faults) {
   std::vector<bool> held(harness.cables.size(), false);
   for (const Clip& clip : harness.clips) held[clip.cable] = held[clip.cable] || holdsPosition(clip);
   for (std::size_t round = 0; round < harness.joints.size(); ++round) {
@@ -116,20 +121,23 @@ void refuseLooseCables(const Harness& harness) {
   }
   for (std::size_t i = 0; i < held.size(); ++i) {
     if (!held[i]) {
-      refuse("cable '", harness.cables[i].name,
-             "' is held by no clip, neither itself nor through a joint; expected at least one");
+      faults.push_back(
+          textOf("cable '", harness.cables[i].name,
+                 "' is held by no clip, neither itself nor through a joint; expected at least one"));
     }
   }
 }
 
 // Following joints from child to parent must not lead back.
-void refuseJointCycles(const Harness& harness) {
+void collectJointCycles(const Harness& harness, std::vector<std::string>& faults) {
   for (const Joint& start : harness.joints) {
     const Joint* joint = &start;
     for (std::size_t steps = 0; joint != nullptr; ++steps) {
       if (steps > harness.joints.size()) {
-        refuse("joint '", start.name,
-               "' hangs on itself: its parent's section is, through other joints, its own child");
+        faults.push_back(
+            textOf("joint '", start.name,
+                   "' hangs on itself: its parent's section is, through other joints, its own child"));
+        break;
       }
       const auto above = std::find_if(harness.joints.begin(), harness.joints.end(), [&](const Joint& other) {
         return other.child == joint->parent && std::abs(other.child_arc_length - joint->parent_arc_length) <=
@@ -143,15 +151,30 @@ void refuseJointCycles(const Harness& harness) {
 }  // namespace
 
 void validate(const Harness& harness) {
-  if (!harness.gravity.allFinite()) refuse("gravity is not finite");
-  if (harness.cables.empty()) refuse("the harness has no cable, expected at least one");
-  for (const Cable& cable : harness.cables) validate(cable);
-  for (const Clip& clip : harness.clips) validate(harness, clip);
-  for (const Joint& joint : harness.joints) validate(harness, joint);
-  for (const PointLoad& load : harness.loads) validate(harness, load);
-  refuseSharedSections(harness);
-  refuseLooseCables(harness);
-  refuseJointCycles(harness);
+  const std::vector<std::string> faults = faultsOf(harness);
+  if (!faults.empty()) throw std::invalid_argument(faults.front());
+}
+
+std::vector<std::string> faultsOf(const Harness& harness) {
+  std::vector<std::string> faults;
+  const auto collect = [&faults](const auto& check) {
+    try {
+      check();
+    } catch (const std::invalid_argument& error) {
+      faults.emplace_back(error.what());
+    }
+  };
+  if (!harness.gravity.allFinite()) faults.emplace_back("gravity is not finite");
+  if (harness.cables.empty()) faults.emplace_back("the harness has no cable, expected at least one");
+  for (const Cable& cable : harness.cables) collect([&] { validate(cable); });
+  for (const Clip& clip : harness.clips) collect([&] { validate(harness, clip); });
+  for (const Joint& joint : harness.joints) collect([&] { validate(harness, joint); });
+  for (const PointLoad& load : harness.loads) collect([&] { validate(harness, load); });
+  if (!faults.empty()) return faults;  // what follows needs sound indices and lengths
+  collectSharedSections(harness, faults);
+  collectLooseCables(harness, faults);
+  collectJointCycles(harness, faults);
+  return faults;
 }
 
 }  // namespace cable_variation

@@ -47,4 +47,7 @@ struct Harness {
 /// nothing holds, two clips or joints that claim the same section.
 void validate(const Harness& harness);
 
+/// Everything that validate() would refuse, a message each; empty: the harness is sound.
+std::vector<std::string> faultsOf(const Harness& harness);
+
 }  // namespace cable_variation

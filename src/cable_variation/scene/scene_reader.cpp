@@ -53,12 +53,10 @@ void readParts(const YamlCursor& root, ReadContext& context) {
 // The harness as a whole, and at the limits of each design variable.
 void checkHarness(ReadContext& context) {
   Scene& scene = context.scene;
-  try {
-    scene.harness = harnessAt(scene, {});
-  } catch (const std::invalid_argument& error) {
-    context.faults.add(lineOf(error.what(), context), error.what());
-    return;
-  }
+  if (scene.harness.cables.empty()) return;
+  for (const std::string& fault : faultsOf(scene.harness)) context.faults.add(lineOf(fault, context), fault);
+  if (context.faults.count() > 0) return;
+  scene.harness = harnessAt(scene, {});
   for (std::size_t i = 0; i < scene.design_variables.size(); ++i) {
     const DesignVariable& variable = scene.design_variables[i];
     for (const double deviation : {variable.lower, variable.upper}) {
