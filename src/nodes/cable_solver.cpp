@@ -1,0 +1,7 @@
+#include <ros_interface/cable_solver.h>
+#include <ros_interface/node_main.h>
+
+int main(int argc, char** argv) {
+  using namespace cable_variation_ros;
+  return runNode<CableSolver>(argc, argv, "cable_solver", readCableSolverParameters);
+}

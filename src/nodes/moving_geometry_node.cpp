@@ -1,0 +1,7 @@
+#include <ros_interface/moving_geometry.h>
+#include <ros_interface/node_main.h>
+
+int main(int argc, char** argv) {
+  using namespace cable_variation_ros;
+  return runNode<MovingGeometry>(argc, argv, "moving_geometry_node", readMovingGeometryParameters);
+}

@@ -1,0 +1,128 @@
+#include <ros_interface/bag_motion.h>
+
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+#include <geometry_msgs/PoseStamped.h>
+#include <geometry_msgs/PoseWithCovarianceStamped.h>
+#include <geometry_msgs/TransformStamped.h>
+#include <rosbag/bag.h>
+#include <rosbag/view.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <ros_interface/message_conversion.h>
+
+namespace cable_variation_ros {
+
+using cable_variation::Pose;
+using cable_variation::TimedPose;
+
+namespace {
+
+std::string withoutSlash(const std::string& frame) {
+  return !frame.empty() && frame.front() == '/' ? frame.substr(1) : frame;
+}
+
+std::string listOf(const std::set<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text.empty() ? "none" : text;
+}
+
+/// Gathers the poses of one frame, message by message.
+class Recording {
+ public:
+  Recording(const std::string& frame, const std::string& parent) : frame_(frame), parent_(parent) {}
+
+  void add(const rosbag::MessageInstance& message) {
+    recorded_ = message.getTime();
+    if (const auto pose = message.instantiate<geometry_msgs::PoseStamped>()) {
+      addPose(pose->header, fromPose(pose->pose, where()));
+    } else if (const auto uncertain = message.instantiate<geometry_msgs::PoseWithCovarianceStamped>()) {
+      addPose(uncertain->header, fromPose(uncertain->pose.pose, where()));
+    } else if (const auto transform = message.instantiate<geometry_msgs::TransformStamped>()) {
+      addTransform(*transform);
+    } else if (const auto transforms = message.instantiate<tf2_msgs::TFMessage>()) {
+      for (const geometry_msgs::TransformStamped& each : transforms->transforms) addTransform(each);
+    } else {
+      throw std::invalid_argument("is of type " + message.getDataType() +
+                                  ", expected geometry_msgs/PoseStamped, PoseWithCovarianceStamped, "
+                                  "TransformStamped or tf2_msgs/TFMessage");
+    }
+  }
+
+  std::vector<TimedPose> finish() const {
+    if (samples_.empty()) {
+      throw std::invalid_argument("no frame '" + frame_ + "'; frames there: " + listOf(others_));
+    }
+    return samples_;
+  }
+
+ private:
+  std::string where() const { return "pose " + std::to_string(samples_.size() + 1); }
+
+  void addTransform(const geometry_msgs::TransformStamped& transform) {
+    if (withoutSlash(transform.child_frame_id) == frame_) {
+      addPose(transform.header, fromTransform(transform.transform, where()));
+    } else {
+      others_.insert(transform.child_frame_id);
+    }
+  }
+
+  void addPose(const std_msgs::Header& header, const Pose& pose) {
+    if (withoutSlash(header.frame_id) != parent_) {
+      throw std::invalid_argument(where() + " is in frame '" + header.frame_id + "', expected '" + parent_ +
+                                  "', the frame of the component's parent");
+    }
+    const ros::Time stamp = header.stamp.isZero() ? recorded_ : header.stamp;
+    if (samples_.empty()) start_ = stamp;
+    const double time = (stamp - start_).toSec();
+    if (!samples_.empty() && time <= samples_.back().time) {
+      const Pose& last = samples_.back().pose;
+      const bool repeated = time == samples_.back().time && last.position == pose.position &&
+                            last.orientation.coeffs() == pose.orientation.coeffs();
+      if (repeated) return;
+      std::ostringstream text;
+      text << where() << " is at " << time << " s, not after the one before at " << samples_.back().time
+           << " s";
+      throw std::invalid_argument(text.str());
+    }
+    samples_.push_back({time, pose});
+  }
+
+  std::string frame_;
+  std::string parent_;
+  ros::Time recorded_;
+  ros::Time start_;
+  std::vector<TimedPose> samples_;
+  std::set<std::string> others_;
+};
+
+}  // namespace
+
+std::vector<TimedPose> readBagMotion(const std::string& path, const std::string& topic,
+                                     const std::string& frame, const std::string& parent) {
+  const std::string name = topic.empty() ? "/tf" : topic;
+  try {
+    rosbag::Bag bag(path, rosbag::bagmode::Read);
+    rosbag::View view(bag, rosbag::TopicQuery(name));
+    if (view.size() == 0) {
+      std::set<std::string> topics;
+      rosbag::View everything(bag);
+      for (const rosbag::ConnectionInfo* connection : everything.getConnections()) {
+        topics.insert(connection->topic);
+      }
+      throw std::invalid_argument("is not there; topics there: " + listOf(topics));
+    }
+    Recording recording(frame, parent);
+    for (const rosbag::MessageInstance& message : view) recording.add(message);
+    return recording.finish();
+  } catch (const rosbag::BagException& error) {
+    throw std::invalid_argument("bag '" + path + "': " + error.what());
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument("bag '" + path + "', topic '" + name + "': " + error.what());
+  }
+}
+
+}  // namespace cable_variation_ros

@@ -1,0 +1,69 @@
+#include <ros_interface/cable_markers.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <ros_interface/marker_shapes.h>
+#include <ros_interface/names.h>
+
+namespace cable_variation_ros {
+
+using cable_variation::Cable;
+using cable_variation::CableShape;
+
+namespace {
+
+constexpr double kLargestBend = 2.0 * M_PI / 180.0;  // of one cylinder [rad]: invisible in RViz's light
+constexpr double kLongest = 0.02;                    // cylinder [m]
+constexpr double kStep = 0.001;                      // at which the shape is looked at [m]
+constexpr std::size_t kMostSteps = 4000;
+
+/// Readable on grey metal; red means interference.
+const std::array<Eigen::Vector4d, 6> kColors = {
+    Eigen::Vector4d(0.95, 0.52, 0.08, 1.0), Eigen::Vector4d(0.98, 0.80, 0.20, 1.0),
+    Eigen::Vector4d(0.16, 0.56, 0.92, 1.0), Eigen::Vector4d(0.25, 0.75, 0.42, 1.0),
+    Eigen::Vector4d(0.68, 0.45, 0.90, 1.0), Eigen::Vector4d(0.20, 0.78, 0.80, 1.0)};
+
+void addCable(MarkerGroup& group, const CableShape& shape, const Cable& cable) {
+  const auto wanted = static_cast<std::size_t>(std::ceil(cable.length / kStep)) + 1;
+  const std::size_t count = std::clamp<std::size_t>(wanted, 2, kMostSteps);
+  const std::vector<cable_variation::Pose> poses = shape.sample(count);
+  const double step = cable.length / static_cast<double>(count - 1);
+
+  std::size_t start = 0;
+  Eigen::Vector3d first_direction = poses[1].position - poses[0].position;
+  for (std::size_t i = 1; i < count; ++i) {
+    const bool last = i + 1 == count;
+    if (!last) {
+      const Eigen::Vector3d next = poses[i + 1].position - poses[i].position;
+      const double bend = std::atan2(first_direction.cross(next).norm(), first_direction.dot(next));
+      if (bend < kLargestBend && static_cast<double>(i + 1 - start) * step <= kLongest) continue;
+      first_direction = next;
+    }
+    const double middle = 0.5 * static_cast<double>(start + i) * step;
+    const double radius = sectionAt(cable, middle).radius;
+    // Neighbours overlap on the outside of the bend, where cut ends would gape.
+    const Eigen::Vector3d along = (poses[i].position - poses[start].position).normalized();
+    const Eigen::Vector3d overlap = 0.5 * kLargestBend * radius * along;
+    group.addCylinder(poses[start].position - (start == 0 ? Eigen::Vector3d::Zero() : overlap),
+                      poses[i].position + (last ? Eigen::Vector3d::Zero() : overlap), radius);
+    start = i;
+  }
+}
+
+}  // namespace
+
+visualization_msgs::MarkerArray cableMarkers(const cable_variation::Equilibrium& equilibrium,
+                                             const cable_variation::Harness& harness) {
+  visualization_msgs::MarkerArray array;
+  if (!equilibrium.converged()) return array;
+  for (std::size_t i = 0; i < equilibrium.shapes.size(); ++i) {
+    MarkerGroup group(kCableMarkers + harness.cables[i].name, kWorldFrame, kColors[i % kColors.size()]);
+    addCable(group, equilibrium.shapes[i], harness.cables[i]);
+    array.markers.insert(array.markers.end(), group.markers().begin(), group.markers().end());
+  }
+  return array;
+}
+
+}  // namespace cable_variation_ros

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+
+#include <ros/node_handle.h>
+
+#include <ros_interface/design_service.h>
+#include <ros_interface/get_scene_service.h>
+#include <ros_interface/load_scene_service.h>
+#include <ros_interface/node_parameters.h>
+#include <ros_interface/solve_equilibrium_service.h>
+#include <ros_interface/solver_context.h>
+#include <ros_interface/solver_diagnostics.h>
+#include <ros_interface/solver_publisher.h>
+#include <ros_interface/tf_follower.h>
+
+namespace cable_variation_ros {
+
+/// The node cable_solver: equilibria on request, and the design in force to be seen.
+class CableSolver {
+ public:
+  /// Throws what loadScene() throws. A scene whose harness has no equilibrium is
+  /// accepted: diagnostics and the log say so.
+  CableSolver(ros::NodeHandle node, const CableSolverParameters& parameters);
+
+ private:
+  void show();
+
+  ros::NodeHandle node_;
+  SolverContext context_;
+  SolverPublisher publisher_;
+  SolverDiagnostics diagnostics_;
+  SolveEquilibriumService solve_equilibrium_;
+  GetSceneService get_scene_;
+  LoadSceneService load_scene_;
+  DesignService design_;
+  std::unique_ptr<TfFollower> follower_;
+};
+
+}  // namespace cable_variation_ros

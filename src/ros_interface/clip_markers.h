@@ -1,0 +1,16 @@
+#pragma once
+
+#include <visualization_msgs/MarkerArray.h>
+
+#include <cable_variation/harness/harness.h>
+
+namespace cable_variation_ros {
+
+/// Clips where they are, as small shapes by kind with their names, namespace
+/// clip/NAME: a block (fixed), a band with its tab (rolling), a ball in a cup
+/// (pivot), a pin (hinge), a square channel (sliding), a sleeve
+/// (sliding_rolling), a ring (eyelet), an open channel (guide), a plate (plane),
+/// a rubber disc (grommet), a cone (free), a small block (general).
+visualization_msgs::MarkerArray clipMarkers(const cable_variation::Harness& harness);
+
+}  // namespace cable_variation_ros

@@ -1,0 +1,22 @@
+#include <ros_interface/get_scene_service.h>
+
+#include <ros/node_handle.h>
+
+#include <ros_interface/names.h>
+#include <ros_interface/request_status.h>
+#include <ros_interface/scene_conversion.h>
+#include <ros_interface/solver_context.h>
+
+namespace cable_variation_ros {
+
+GetSceneService::GetSceneService(ros::NodeHandle& node, const SolverContext& context)
+    : context_(context), server_(node.advertiseService(kGetSceneService, &GetSceneService::handle, this)) {}
+
+bool GetSceneService::handle(cable_variation::GetSceneRequest&, cable_variation::GetSceneResponse& response) {
+  const cable_variation::Status status =
+      runRequest([&] { response = toResponse(context_.design(), context_.moved()); });
+  response.status = status;
+  return true;
+}
+
+}  // namespace cable_variation_ros

@@ -1,0 +1,21 @@
+#include <ros_interface/load_scene_service.h>
+
+#include <ros/node_handle.h>
+
+#include <ros_interface/names.h>
+#include <ros_interface/request_status.h>
+#include <ros_interface/scene_loading.h>
+#include <ros_interface/solver_context.h>
+
+namespace cable_variation_ros {
+
+LoadSceneService::LoadSceneService(ros::NodeHandle& node, SolverContext& context)
+    : context_(context), server_(node.advertiseService(kLoadSceneService, &LoadSceneService::handle, this)) {}
+
+bool LoadSceneService::handle(cable_variation::LoadSceneRequest& request,
+                              cable_variation::LoadSceneResponse& response) {
+  response.status = runRequest([&] { context_.load(loadScene(request.scene)); });
+  return true;
+}
+
+}  // namespace cable_variation_ros

@@ -1,0 +1,90 @@
+#include <ros_interface/node_parameters.h>
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include <ros/node_handle.h>
+
+namespace cable_variation_ros {
+
+namespace {
+
+/// Reads parameters one by one and keeps what is wrong with them.
+class ParameterReader {
+ public:
+  explicit ParameterReader(const ros::NodeHandle& node) : node_(node) {}
+
+  void required(const std::string& name, std::string& value) {
+    if (!node_.hasParam(name)) {
+      fault(name, "is missing");
+    } else if (!node_.getParam(name, value)) {
+      fault(name, "expected a string");
+    } else if (value.empty()) {
+      fault(name, "is empty");
+    }
+  }
+
+  void optional(const std::string& name, bool& value) {
+    if (node_.hasParam(name) && !node_.getParam(name, value)) fault(name, "expected true or false");
+  }
+
+  void optionalPositive(const std::string& name, double& value, double upper) {
+    if (!node_.hasParam(name)) return;
+    if (!node_.getParam(name, value)) {
+      fault(name, "expected a number");
+    } else if (!(value > 0.0 && value <= upper)) {
+      std::ostringstream text;
+      text << "is " << value << ", expected above 0, at most " << upper;
+      fault(name, text.str());
+    }
+  }
+
+  void finish() const {
+    if (!faults_.empty()) throw std::invalid_argument("parameters:" + faults_);
+  }
+
+ private:
+  void fault(const std::string& name, const std::string& what) {
+    faults_ += "\n  " + node_.resolveName(name) + " " + what;
+  }
+
+  const ros::NodeHandle& node_;
+  std::string faults_;
+};
+
+constexpr double kHighestRate = 1000.0;  // [Hz]; beyond what ROS timers and tf keep up with
+constexpr double kHighestSpeed = 1e4;
+
+}  // namespace
+
+StaticGeometryParameters readStaticGeometryParameters(const ros::NodeHandle& node) {
+  StaticGeometryParameters parameters;
+  ParameterReader reader(node);
+  reader.required("scene", parameters.scene);
+  reader.finish();
+  return parameters;
+}
+
+MovingGeometryParameters readMovingGeometryParameters(const ros::NodeHandle& node) {
+  MovingGeometryParameters parameters;
+  ParameterReader reader(node);
+  reader.required("scene", parameters.scene);
+  reader.optionalPositive("rate", parameters.rate_hz, kHighestRate);
+  reader.optional("loop", parameters.loop);
+  reader.optionalPositive("speed", parameters.speed, kHighestSpeed);
+  reader.finish();
+  return parameters;
+}
+
+CableSolverParameters readCableSolverParameters(const ros::NodeHandle& node) {
+  CableSolverParameters parameters;
+  ParameterReader reader(node);
+  reader.required("scene", parameters.scene);
+  reader.optional("live", parameters.live);
+  reader.optionalPositive("live_rate", parameters.live_rate_hz, kHighestRate);
+  reader.finish();
+  return parameters;
+}
+
+}  // namespace cable_variation_ros

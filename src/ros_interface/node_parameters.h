@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+
+namespace ros {
+class NodeHandle;
+}
+
+namespace cable_variation_ros {
+
+struct StaticGeometryParameters {
+  std::string scene;  ///< path or package:// address of the scene file
+};
+
+struct MovingGeometryParameters {
+  std::string scene;
+  double rate_hz = 50.0;  ///< of the transforms
+  bool loop = true;       ///< start again at the end
+  double speed = 1.0;     ///< seconds of motion per second
+};
+
+struct CableSolverParameters {
+  std::string scene;
+  bool live = false;           ///< follow the components on tf
+  double live_rate_hz = 50.0;  ///< how often to look
+};
+
+// Each reads the parameters of a node's private handle. Throws
+// std::invalid_argument that lists every missing parameter, wrong type and value
+// out of bounds.
+StaticGeometryParameters readStaticGeometryParameters(const ros::NodeHandle& node);
+MovingGeometryParameters readMovingGeometryParameters(const ros::NodeHandle& node);
+CableSolverParameters readCableSolverParameters(const ros::NodeHandle& node);
+
+}  // namespace cable_variation_ros

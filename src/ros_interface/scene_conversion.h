@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cable_variation/GetScene.h>
+
+#include <cable_variation/scene/design.h>
+
+namespace cable_variation_ros {
+
+/// Everything but the status: the scene as designed, its components and clips where
+/// they are with `moved` in force.
+cable_variation::GetSceneResponse toResponse(const cable_variation::Design& design,
+                                             const cable_variation::ComponentPoses& moved);
+
+}  // namespace cable_variation_ros

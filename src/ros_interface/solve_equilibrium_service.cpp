@@ -1,0 +1,55 @@
+#include <ros_interface/solve_equilibrium_service.h>
+
+#include <sstream>
+
+#include <ros/node_handle.h>
+
+#include <cable_variation/scene/moving_components.h>
+#include <ros_interface/design_values.h>
+#include <ros_interface/message_conversion.h>
+#include <ros_interface/names.h>
+#include <ros_interface/request_status.h>
+#include <ros_interface/solver_context.h>
+
+namespace cable_variation_ros {
+
+using cable_variation::ComponentPoses;
+using cable_variation::Motion;
+using cable_variation::Scene;
+using cable_variation::Status;
+
+namespace {
+
+ComponentPoses posesOf(const Scene& scene, const std::string& name, double time) {
+  for (const Motion& motion : scene.motions) {
+    if (motion.name != name) continue;
+    if (!(time >= 0.0 && time <= motion.duration())) {
+      std::ostringstream text;
+      text << "motion '" << name << "': time " << time << " s, expected 0 to " << motion.duration() << " s";
+      throw std::invalid_argument(text.str());
+    }
+    return posesDuring(scene, {&motion}, time);
+  }
+  throw RequestError(Status::NOT_FOUND, "no motion named '" + name + "'");
+}
+
+}  // namespace
+
+SolveEquilibriumService::SolveEquilibriumService(ros::NodeHandle& node, const SolverContext& context)
+    : context_(context),
+      server_(node.advertiseService(kSolveEquilibriumService, &SolveEquilibriumService::handle, this)) {}
+
+bool SolveEquilibriumService::handle(Request& request, Response& response) {
+  const Status status = runRequest([&] {
+    const Scene& scene = context_.design().scene;
+    const cable_variation::DesignValues values = toDesignValues(scene, request.variables, request.values);
+    const ComponentPoses moved =
+        request.motion.empty() ? context_.moved() : posesOf(scene, request.motion, request.time);
+    const SolverContext::Trial trial = context_.solve(values, moved, request.follow);
+    response = toResponse(trial.equilibrium, trial.harness);
+  });
+  response.status = status;
+  return true;
+}
+
+}  // namespace cable_variation_ros

@@ -1,0 +1,25 @@
+#include <ros_interface/solver_publisher.h>
+
+#include <ros/node_handle.h>
+
+#include <ros_interface/cable_markers.h>
+#include <ros_interface/clip_markers.h>
+#include <ros_interface/message_conversion.h>
+#include <ros_interface/names.h>
+#include <ros_interface/solver_context.h>
+
+namespace cable_variation_ros {
+
+SolverPublisher::SolverPublisher(ros::NodeHandle& node)
+    : cables_(node, kCablesTopic),
+      shapes_(node.advertise<cable_variation::CableShapes>(kShapesTopic, 1, true)) {}
+
+void SolverPublisher::publish(const SolverContext& context) {
+  visualization_msgs::MarkerArray markers = cableMarkers(context.equilibrium(), context.harness());
+  const visualization_msgs::MarkerArray clips = clipMarkers(context.harness());
+  markers.markers.insert(markers.markers.end(), clips.markers.begin(), clips.markers.end());
+  cables_.publish(markers);
+  shapes_.publish(toCableShapes(context.equilibrium(), context.harness(), ros::Time::now()));
+}
+
+}  // namespace cable_variation_ros

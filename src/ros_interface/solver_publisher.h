@@ -1,0 +1,26 @@
+#pragma once
+
+#include <ros/publisher.h>
+
+#include <ros_interface/marker_channel.h>
+
+namespace ros {
+class NodeHandle;
+}
+
+namespace cable_variation_ros {
+
+class SolverContext;
+
+/// Shows the design in force: ~cables (markers of cables and clips) and ~shapes.
+class SolverPublisher {
+ public:
+  explicit SolverPublisher(ros::NodeHandle& node);
+  void publish(const SolverContext& context);
+
+ private:
+  MarkerChannel cables_;
+  ros::Publisher shapes_;
+};
+
+}  // namespace cable_variation_ros
