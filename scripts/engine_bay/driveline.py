@@ -8,7 +8,7 @@ from .polygon import circle, rectangle, rounded, slot
 from .solids import bolts, box, cylinder, lathe, plate, tube
 
 # Belt pulleys at the engine's right end: x, z, radius.
-PULLEYS = ((0.0, 0.0, 0.072), (0.175, 0.035, 0.028), (0.045, 0.150, 0.050), (-0.075, 0.105, 0.030))
+PULLEYS = ((0.0, 0.0, 0.072), (0.175, 0.035, 0.028), (0.030, 0.138, 0.042), (-0.080, 0.085, 0.030))
 
 
 def gearbox():
@@ -18,7 +18,7 @@ def gearbox():
         rib = box((0.018, 0.006, 0.105), (0.0, 0, 0.0), 0.002).rotated("y", -21).moved(0.128, 0, 0.062)
         rib = rib.rotated("z", 360 / 14 * k + 8)
         ribs.append(rib)
-    ribs += [tube(0.097, 0.090, z, z + 0.006, 36, 0.0015) for z in (0.150, 0.172, 0.194)]
+    ribs += [tube(0.097, 0.090, z, z + 0.006, 32, 0.0015) for z in (0.155, 0.187)]
     case = join(bell, ribs).placed((-0.01, 0.215, -0.015), (0, 1, 0), (1, 0, 0))
     final = lathe([(0, -0.08), (0.05, -0.08), (0.095, -0.05), (0.105, 0.0), (0.095, 0.05), (0.05, 0.08), (0, 0.08)], 48).placed((-0.14, 0.30, -0.06), (0, 1, 0))
     selector = join(box((0.075, 0.055, 0.035), (0.02, 0.375, 0.085), 0.008), cylinder(0.012, 0.10, 0.132, 0.002, 24).moved(0.02, 0.375, 0))
@@ -43,7 +43,7 @@ def pulley(x, z, radius):
     for k in range(3):
         profile += [(radius - 0.002, 0.007 + 0.0045 * k), (radius, 0.009 + 0.0045 * k)]
     profile += [(radius, w), (0.80 * radius, w), (0.78 * radius, w - 0.008), (0.35 * radius, w - 0.010), (0.33 * radius, w), (0, w)]
-    return join(lathe(profile, 36).placed((x, -0.226, z), (0, -1, 0)), bolts([(x, -0.226 - w, z)], (0, -1, 0), width=min(0.017, 0.4 * radius), height=0.010))
+    return join(lathe(profile, 32).placed((x, -0.226, z), (0, -1, 0)), bolts([(x, -0.226 - w, z)], (0, -1, 0), width=min(0.017, 0.4 * radius), height=0.010))
 
 
 def belt():

@@ -23,7 +23,7 @@ def battery_lid():
     lid = plate(rectangle(0.242, 0.178, 0.012), 0.070, 0.088, bevel=0.004)
     step = plate(rectangle(0.20, 0.085, 0.010, centre=(0.0, 0.03)), 0.086, 0.096, bevel=0.003)
     caps = [cylinder(0.011, 0.095, 0.099, 0.0015, 16).moved(x, 0.03, 0) for x in np.linspace(-0.08, 0.08, 6)]
-    handles = [pipe(filleted([[x, -0.055, 0.086], [x, -0.055, 0.104], [x, 0.055, 0.104], [x, 0.055, 0.086]], 0.012, 5), 0.004, 10) for x in (-0.112, 0.112)]
+    handles = [pipe(filleted([[x, -0.055, 0.086], [x, -0.055, 0.104], [x, 0.055, 0.104], [x, 0.055, 0.086]], 0.012, 5), 0.004, 8) for x in (-0.112, 0.112)]
     return join(lid, step, caps, handles).moved(BATTERY)
 
 
@@ -38,7 +38,7 @@ def battery_terminals():
 
 
 def battery_tray():
-    holes = [circle(0.010, 20, (x, y)) for x in (-0.09, 0.0, 0.09) for y in (-0.06, 0.06)]
+    holes = [circle(0.010, 12, (x, y)) for x in (-0.09, 0.0, 0.09) for y in (-0.06, 0.06)]
     floor = plate(rectangle(0.262, 0.198, 0.012), -0.099, -0.095, holes, 0.001, 1)
     lips = [box((0.262, 0.004, 0.022), (0, y, -0.088), 0.0015) for y in (-0.098, 0.098)]
     lips += [box((0.004, 0.198, 0.022), (x, 0, -0.088), 0.0015) for x in (-0.130, 0.130)]

@@ -37,7 +37,7 @@ def head_cover():
     rim = plate(rectangle(0.236, 0.446, 0.022), 0.213, 0.224, bevel=0.002)
     dome = plate(rectangle(0.205, 0.415, 0.03, 6), 0.22, 0.264, bevel=0.014, segments=5)
     well = plate(rectangle(0.062, 0.385, 0.014, 5), 0.258, 0.270, bevel=0.004, segments=3)
-    ribs = [box((0.052, 0.006, 0.012), (x, y, 0.264), 0.0025, 1) for x in (-0.065, 0.065) for y in np.linspace(-0.175, 0.175, 15)]
+    ribs = [box((0.052, 0.006, 0.012), (x, y, 0.264), 0.0025, 1) for x in (-0.065, 0.065) for y in np.linspace(-0.17, 0.17, 13)]
     cap = join(cylinder(0.026, 0.26, 0.282, 0.004, 40), box((0.012, 0.054, 0.012), (0, 0, 0.286), 0.004), tube(0.033, 0.026, 0.262, 0.268, 40))
     return join(rim, dome, well, ribs), cap.moved(0.062, -0.162, 0.0)
 
@@ -49,7 +49,7 @@ def coils():
         plug = box((0.026, 0.022, 0.016), (-0.030, y, 0.280), 0.003)
         out += [top, plug, cylinder(0.016, 0.262, 0.272, 0.002, 28).moved(0, y, 0)]
     rail = [[-0.040, CYLINDERS[0] - 0.02, 0.280], [-0.046, -0.05, 0.281], [-0.046, 0.05, 0.281], [-0.040, CYLINDERS[3] + 0.02, 0.280]]
-    return join(out, pipe(filleted(rail, 0.02), 0.0055, 14))
+    return join(out, pipe(filleted(rail, 0.02), 0.0055, 10))
 
 
 def exhaust_shield():
@@ -61,7 +61,7 @@ def exhaust_shield():
         r = 0.050 + bulge + dent
         return -0.115 - r * np.sin(angle), y, 0.128 - 1.5 * r * np.cos(angle)
 
-    return sheet(surface, 18, 40, (0.0014, 0, 0.0007))
+    return sheet(surface, 14, 34, (0.0014, 0, 0.0007))
 
 
 def fixings():

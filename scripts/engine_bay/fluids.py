@@ -8,7 +8,7 @@ from .part import ALUMINIUM, BLUE, NATURAL, PLASTIC, RUBBER, STEEL, YELLOW, Part
 from .polygon import circle, rectangle, rounded
 from .solids import bolts, box, cylinder, lathe, pipe, plate, sweep, torus
 
-AIR_FILTER = np.array([0.625, -0.500, 0.335])
+AIR_FILTER = np.array([0.625, -0.500, 0.355])
 
 
 def screw_cap(radius):
@@ -24,7 +24,7 @@ def washer_bottle():
 
 
 def expansion_tank():
-    body = lathe([(0, 0)] + [(0.058 * np.sin(a) ** 0.6, 0.058 - 0.058 * np.cos(a)) for a in np.linspace(0.25, np.pi - 0.25, 18)] + [(0, 0.116)], 40)
+    body = lathe([(0, 0)] + [(0.058 * np.sin(a) ** 0.6, 0.058 - 0.058 * np.cos(a)) for a in np.linspace(0.25, np.pi - 0.25, 14)] + [(0, 0.116)], 40)
     seam = torus(0.058, 0.004, 40, 8).moved(0, 0, 0.058)
     return join(body, seam).moved(0.085, -0.555, 0.35), screw_cap(0.026).moved(0.085, -0.555, 0.455)
 
@@ -40,13 +40,13 @@ def air_filter():
     lid = plate(rectangle(0.228, 0.168, 0.03), 0.04, 0.095, bevel=0.016, segments=4)
     ribs = [box((0.008, 0.12, 0.008), (x, 0, 0.094), 0.002, 1) for x in np.linspace(-0.075, 0.075, 7)]
     clips = [box((0.014, 0.010, 0.034), (x, y, 0.034), 0.003) for x in (-0.07, 0.07) for y in (-0.094, 0.094)]
-    snorkel = sweep(rectangle(0.045, 0.085, 0.016), spline([[0.10, 0.0, 0.065], [0.16, 0.01, 0.075], [0.20, 0.03, 0.150], [0.26, 0.05, 0.175]], 16))
+    snorkel = sweep(rectangle(0.045, 0.085, 0.016), spline([[0.10, 0.0, 0.065], [0.16, 0.01, 0.075], [0.20, 0.03, 0.100], [0.26, 0.05, 0.110]], 16))
     return join(lower, rim, lid, ribs, clips, snorkel).moved(AIR_FILTER)
 
 
 def air_duct():
     """From the filter's lid back to the throttle: corrugated rubber, with slack for the engine's motion."""
-    path = spline([[0.530, -0.500, 0.375], [0.495, -0.490, 0.380], [0.480, -0.440, 0.385], [0.530, -0.380, 0.372], [0.610, -0.345, 0.366], [0.635, -0.330, 0.365]], 49)
+    path = spline([[0.530, -0.500, 0.400], [0.492, -0.490, 0.412], [0.478, -0.440, 0.422], [0.524, -0.385, 0.412], [0.600, -0.350, 0.376], [0.635, -0.330, 0.365]], 49)
     scale = 1.0 + 0.07 * np.sin(np.pi * np.arange(49) / 2 + 0.6) * (np.abs(np.arange(49) - 24) < 18)
     return sweep(circle(0.037, 24), path, scale=scale)
 
@@ -55,7 +55,7 @@ def coolant_pipes():
     lower = spline([[0.745, 0.35, 0.15], [0.700, 0.345, 0.145], [0.600, 0.300, 0.105], [0.520, 0.150, 0.085], [0.480, 0.05, 0.120]], 24)
     heater = [spline([[0.012, y, 0.34 + dz], [0.06, y, 0.34 + dz], [0.10, y - 0.06, 0.35 + dz], [0.15, y - 0.10, 0.36 + dz], [0.262, y - 0.11, 0.375]], 22) for y, dz in ((-0.02, 0.0), (0.04, 0.03))]
     overflow = spline([[0.085, -0.50, 0.40], [0.11, -0.46, 0.43], [0.20, -0.42, 0.44], [0.27, -0.33, 0.40]], 22)
-    return join(pipe(lower, 0.017, 20), [pipe(path, 0.010, 14) for path in heater], pipe(overflow, 0.007, 14))
+    return join(pipe(lower, 0.017, 18), [pipe(path, 0.010, 14) for path in heater], pipe(overflow, 0.007, 14))
 
 
 def hard_lines():
@@ -63,14 +63,14 @@ def hard_lines():
     brake = [filleted([[0.15 + 0.03 * k, 0.30, 0.385], [0.15 + 0.03 * k, 0.30, 0.340 - 0.01 * k], [0.035, 0.34 + 0.012 * k, 0.33 - 0.012 * k], [0.035, 0.44, 0.25 - 0.012 * k], [0.12, 0.445, 0.225 - 0.01 * k], [0.14, 0.46, 0.212]], 0.02, 5) for k in (0, 1)]
     cross = filleted([[0.030, 0.30, 0.462], [0.030, -0.50, 0.462], [0.06, -0.56, 0.462]], 0.03, 5)
     gas = filleted([[0.012, -0.10, 0.30], [0.10, -0.12, 0.30], [0.12, -0.40, 0.30], [0.30, -0.43, 0.27], [0.72, -0.425, 0.25], [0.79, -0.40, 0.25]], 0.04, 6)
-    lines = [pipe(path, 0.0028, 10) for path in [*brake, cross]] + [pipe(gas, 0.008, 16)]
+    lines = [pipe(path, 0.0028, 8) for path in [*brake, cross]] + [pipe(gas, 0.008, 16)]
     lines += [box((0.014, 0.012, 0.014), (0.026, y, 0.462), 0.003) for y in (0.2, 0.0, -0.2, -0.4)]
     return join(lines)
 
 
 def filter_fixings():
     stay = plate(rounded([[-0.03, -0.10], [0.03, -0.10], [0.03, 0.02], [-0.03, 0.02]], 0.012), 0, 0.003, [circle(0.0045, 14, (0, -0.085))], 0.001, 1)
-    return join(stay.moved(0.625, -0.41, 0.225).rotated("x", 0), bolts([(0.625, -0.495, 0.228)], width=0.010))
+    return join(stay.moved(0.625, -0.41, 0.245), bolts([(0.625, -0.495, 0.248)], width=0.010))
 
 
 def parts():

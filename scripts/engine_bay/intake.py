@@ -10,14 +10,14 @@ from .polygon import circle, rectangle, rounded
 from .solids import bolts, box, lathe, pipe, plate, sweep, torus, tube
 
 # Where the cooler hose leaves the engine: the stub's face and the way out of it.
-HOSE_OUTLET = np.array([0.190, -0.228, 0.215])
-HOSE_OUTLET_AXIS = unit([0.86, -0.10, 0.50])
+HOSE_OUTLET = np.array([0.125, -0.262, 0.212])
+HOSE_OUTLET_AXIS = unit([0.92, -0.10, 0.38])
 
 
 def manifold():
     pieces = []
     for y in CYLINDERS:
-        path = spline([[0.125, y, 0.185], [0.165, y, 0.205], [0.205, y, 0.255], [0.255, y, 0.268], [0.292, y, 0.235], [0.292, y, 0.190]], 18)
+        path = spline([[0.125, y, 0.185], [0.165, y, 0.205], [0.205, y, 0.255], [0.255, y, 0.268], [0.292, y, 0.235], [0.292, y, 0.190]], 17)
         pieces.append(pipe(path, 0.021, 20))
         for i in (6, 11):
             tangent = path[i + 1] - path[i - 1]
@@ -39,9 +39,9 @@ def throttle():
 
 def thermostat_housing():
     foot = plate(rounded([[-0.034, 0], [0, -0.030], [0.034, 0], [0, 0.030]], 0.016, 5), 0, 0.012, bevel=0.002)
-    foot = foot.placed((0.115, -0.205, 0.182), (1, 0, 0), (0, 0, 1))
-    start = np.array([0.120, -0.207, 0.182])
-    bend = pipe(spline([start, start + [0.030, -0.006, 0.004], HOSE_OUTLET - 0.024 * HOSE_OUTLET_AXIS], 14), 0.0175, 24)
+    foot = foot.placed((0.080, -0.225, 0.188), (0, -1, 0), (1, 0, 0))
+    start = np.array([0.080, -0.225, 0.188])
+    bend = pipe(spline([start, start + [0.002, -0.022, 0.003], HOSE_OUTLET - 0.024 * HOSE_OUTLET_AXIS], 14), 0.0165, 24)
     end = lathe([(0, -0.030), (0.0165, -0.030), (0.0165, -0.024), (0.0125, -0.022), (0.0125, 0.0), (0, 0.0)], 28)
     return join(foot, bend, end.placed(HOSE_OUTLET, HOSE_OUTLET_AXIS))
 

@@ -8,7 +8,7 @@ import numpy as np
 from .curves import filleted
 from .electrics import BATTERY
 from .mesh import join
-from .part import ALUMINIUM, GREY_PLASTIC, PLASTIC, PRIMER, STEEL, Part
+from .part import GREY_PLASTIC, STEEL, Part
 from .polygon import circle, rectangle, regular, rounded, slot
 from .solids import bolts, box, lathe, plate, sweep, torus
 
@@ -75,17 +75,24 @@ def relay_stay():
     return join(shelf, upright, screws), join(relays)
 
 
+def tab(z):
+    """The end of a stay, its upper face at z below a clip."""
+    outline = rounded([[-0.012, -0.012], [0.012, -0.012], [0.012, 0.012], [-0.012, 0.012]], 0.005)
+    return plate(outline, z - 0.0025, z, bevel=0.0008)
+
+
 def tie_stay():
-    """For WH_Tie: a stay on the gearbox that ends in a tab under the cable; about the clip's frame."""
-    foot = [[-0.088, 0, -0.153], [-0.068, 0, -0.170], [-0.016, 0, -0.115], [0.0, 0, -0.050], [0.0, 0, -0.0075]]
-    stay = strip(foot, 0.018, across=(0, 1, 0))
-    tab = plate(rounded([[-0.011, -0.013], [0.011, -0.013], [0.011, 0.013], [-0.011, 0.013]], 0.005), -0.0088, -0.0063, bevel=0.0008)
-    return join(stay, tab)
+    """For the tube clip WH_Tie: from the gearbox up to a tab under the cable. Axes as the engine's."""
+    bends = [[-0.080, 0, -0.160], [-0.062, 0, -0.187], [-0.010, 0, -0.125], [0.0, 0, -0.055], [0.0, 0, -0.010]]
+    screw = bolts([(-0.0695, 0, -0.1725)], (0.82, 0, 0.57), width=0.009, height=0.006)
+    return join(strip(bends, 0.018, across=(0, 1, 0)), tab(-0.0068), screw)
 
 
 def ring_stay():
-    """For WH_Ring: an arm from the cylinder head that ends in a tab under the cable; about the clip's frame."""
-    return tie_stay()
+    """For the ring WH_Ring: from the cylinder head out to a tab under the cable. Axes as the engine's."""
+    bends = [[0, -0.0915, -0.105], [0, -0.0915, -0.0105], [0, 0.004, -0.0105]]
+    screws = bolts([(0, -0.0903, z) for z in (-0.093, -0.068)], (0, 1, 0), width=0.009, height=0.006)
+    return join(strip(bends, 0.018), tab(-0.0085), screws)
 
 
 def body_parts():
@@ -104,4 +111,8 @@ def engine_parts():
 
 def pieces():
     """Parts that a scene adds one by one, each about its clip's frame."""
-    return [Part("start_bracket", start_bracket(), GREY_PLASTIC)]
+    return [
+        Part("start_bracket", start_bracket(), GREY_PLASTIC),
+        Part("tie_stay", tie_stay(), STEEL),
+        Part("ring_stay", ring_stay(), STEEL),
+    ]
