@@ -13,6 +13,8 @@ struct ShapePoint {
   double arc_length = 0.0;    ///< undeformed [m]
   Pose pose;                  ///< section frame in the world, x the director normal to the section
   Eigen::Vector3d tangent;    ///< ∂φ/∂s, world; its length is the stretch
+  Eigen::Vector3d bend;       ///< ∂²φ/∂s², world [1/m]
+  Eigen::Vector3d turn;       ///< Ω, how the section frame turns along s, section frame [1/m]
   Eigen::Vector3d force;      ///< section force, of the part s+ on the part s- [N], world
   Eigen::Vector3d moment;     ///< section moment, likewise [N m], world
   Eigen::Vector3d strain;     ///< Γ - Γ₀, section frame: stretch, shear y, shear z

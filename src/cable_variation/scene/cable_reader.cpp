@@ -36,7 +36,7 @@ void readSections(const YamlCursor& list, Cable& cable, std::vector<bool>& geome
   for (const YamlCursor& item : items) {
     if (!item.checkKeys({"at", "section", "stiffness"})) continue;
     const double at = arc_lengths.read(item);
-    cable.sections.push_back({at, readSection(item, context.materials)});
+    if (const auto section = readSection(item, context.materials)) cable.sections.push_back({at, *section});
     geometric.push_back(item.has("section"));
   }
 }
@@ -82,7 +82,7 @@ void readCable(const YamlCursor& item, Cable& cable, ReadContext& context) {
     }
     readSections(*sections, cable, geometric, context);
   } else {
-    cable.sections.push_back({0.0, readSection(item, context.materials)});
+    if (const auto section = readSection(item, context.materials)) cable.sections.push_back({0.0, *section});
     geometric.push_back(item.has("section"));
   }
   bool uniform = true;
@@ -95,11 +95,11 @@ void readCable(const YamlCursor& item, Cable& cable, ReadContext& context) {
     for (const YamlCursor& point : via->items()) cable.via.push_back(point.vector(quantity::length));
   }
   if (const auto twist = item.find("twist")) cable.twist = twist->number(quantity::angle);
-  if (context.faults.count() > before) return;
+  if (context.faults.count() > before || cable.sections.size() < geometric.size()) return;
   try {
     validate(cable);
   } catch (const std::invalid_argument& error) {
-    item.fail(error.what());
+    context.faults.add(item.line(), error.what());
   }
 }
 

@@ -142,7 +142,7 @@ const std::vector<DistributionType>& distributionTypes() {
 void readDistribution(const YamlCursor& cursor, const Quantity& quantity, DesignVariable& variable,
                       const ReadContext& context) {
   if (!cursor.isMap()) {
-    cursor.checkKeys({"type"});
+    cursor.fail("expected a map such as {type: normal, sigma: 3}");
     return;
   }
   const auto type = cursor.require("type");

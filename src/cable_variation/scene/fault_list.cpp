@@ -1,25 +1,34 @@
 #include <cable_variation/scene/fault_list.h>
 
 #include <algorithm>
-#include <numeric>
+#include <array>
 
 namespace cable_variation {
 namespace {
 
-// Levenshtein's edit distance.
+// Edit distance: letters replaced, put in, left out, or swapped with their neighbour.
 std::size_t editDistance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i;
-    for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-      diagonal = row[j];
-      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
+  std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i) {
+    for (std::size_t j = 0; j <= b.size(); ++j) {
+      if (i == 0 || j == 0) {
+        d[i][j] = i + j;
+        continue;
+      }
+      d[i][j] =
+          std::min({d[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1), d[i - 1][j] + 1, d[i][j - 1] + 1});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+      }
     }
   }
-  return row[b.size()];
+  return d[a.size()][b.size()];
+}
+
+// How unlike two words are: by distance, then by first letter, then by length.
+std::array<std::size_t, 3> unlikeness(const std::string& a, const std::string& b) {
+  return {editDistance(a, b), std::size_t{a.empty() || b.empty() || a.front() != b.front()},
+          std::max(a.size(), b.size()) - std::min(a.size(), b.size())};
 }
 
 }  // namespace
@@ -42,13 +51,14 @@ std::string didYouMean(const std::string& name, const std::vector<std::string>& 
   constexpr std::size_t kLongest = 64;  // of a name worth comparing
   constexpr std::size_t kFew = 12;      // that a message may list
   const std::string* best = nullptr;
-  std::size_t best_distance = std::max<std::size_t>(1, std::min<std::size_t>(3, name.size() / 3)) + 1;
+  std::array<std::size_t, 3> least{std::max<std::size_t>(1, std::min<std::size_t>(3, name.size() / 3)) + 1, 0,
+                                   0};
   for (const std::string& candidate : candidates) {
     if (name.size() > kLongest || candidate.size() > kLongest) continue;
-    const std::size_t distance = editDistance(name, candidate);
-    if (distance < best_distance) {
+    const auto difference = unlikeness(name, candidate);
+    if (difference < least && difference[0] < candidate.size()) {
       best = &candidate;
-      best_distance = distance;
+      least = difference;
     }
   }
   if (best) return "; did you mean '" + *best + "'?";

@@ -18,6 +18,8 @@ using Vector6d = Eigen::Matrix<double, 6, 1>;
 
 constexpr double kLargestCondition = 1e4;  // beyond it a deviation of 0.1 mm moves the part by a metre
 
+constexpr double kBoundless = 1e12;  // beyond it the figure is rounding error
+
 Vector3d centroid(const Locators& locators) {
   Vector3d sum = Vector3d::Zero();
   for (const auto& locator : locators) sum += locator.first;
@@ -59,8 +61,8 @@ void checkLocatingScheme(const Locators& locators) {
   }
   if (!(condition <= kLargestCondition)) {
     throw std::invalid_argument("the locating scheme is singular, condition number " +
-                                shortNumber(condition) + "; expected at most " +
-                                shortNumber(kLargestCondition) +
+                                (condition < kBoundless ? shortNumber(condition) : "beyond 1e+12") +
+                                "; expected at most " + shortNumber(kLargestCondition) +
                                 " (six locators that together hold the part)");
   }
 }

@@ -122,9 +122,7 @@ Unit parseUnit(const std::string& text) {
       const std::string name = text.substr(first, at - first);
       const auto unit = units().find(name);
       if (unit == units().end()) {
-        std::vector<std::string> names;
-        for (const auto& entry : units()) names.push_back(entry.first);
-        throw std::invalid_argument("unknown unit '" + name + "'" + didYouMean(name, names));
+        throw std::invalid_argument("unknown unit '" + name + "'");
       }
       int power = 1;
       if (at < text.size() && text[at] == '^') ++at;
@@ -150,6 +148,19 @@ bool agree(const Dimension& a, const Dimension& b) {
   if (a.kilogram != b.kilogram || a.metre != b.metre || a.second != b.second) return false;
   const bool derived = a.kilogram != 0 || a.metre != 0 || a.second != 0;
   return derived || a.radian == b.radian;
+}
+
+// The unit as it may have been meant: one that fits by itself, or any part of one.
+std::string meantUnit(const std::string& text, const Dimension& dimension) {
+  std::vector<std::string> fitting;
+  std::vector<std::string> all;
+  for (const auto& [name, unit] : units()) {
+    all.push_back(name);
+    if (agree(unit.dimension, dimension)) fitting.push_back(name);
+  }
+  std::string word = text;
+  word.erase(std::min(word.find_first_of(" */^"), word.size()));
+  return didYouMean(word, fitting.empty() ? all : fitting);
 }
 
 }  // namespace
@@ -190,7 +201,8 @@ double parseQuantity(const std::string& text, const Quantity& quantity) {
   try {
     unit = parseUnit(ascii.substr(unit_start));
   } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(std::string(error.what()) + " in '" + text + "'" + expected);
+    throw std::invalid_argument(std::string(error.what()) + " in '" + text + "'" + expected +
+                                meantUnit(ascii.substr(unit_start), quantity.dimension));
   }
   if (!agree(unit.dimension, quantity.dimension)) {
     throw std::invalid_argument("'" + text + "' has the wrong unit" + expected);

@@ -63,8 +63,10 @@ void checkHarness(ReadContext& context) {
       try {
         harnessAt(scene, {{variable.name, variable.nominal + deviation}});
       } catch (const std::invalid_argument& error) {
-        context.faults.add(context.design_variables.line(i),
-                           "at a limit of its tolerance, " + std::string(error.what()));
+        std::string message = error.what();
+        const std::string who = "design variable '" + variable.name + "': ";
+        if (message.compare(0, who.size(), who) != 0) message.insert(0, who);
+        context.faults.add(context.design_variables.line(i), message + " (at a limit of its tolerance)");
       }
     }
   }

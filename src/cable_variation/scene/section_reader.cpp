@@ -1,6 +1,8 @@
 #include <cable_variation/scene/section_reader.h>
 
+#include <cmath>
 #include <stdexcept>
+#include <tuple>
 
 namespace cable_variation {
 namespace {
@@ -31,7 +33,12 @@ std::pair<double, double> readHoseRadii(const YamlCursor& section) {
   return {outer, inner};
 }
 
-Section readGeometricSection(const YamlCursor& section, const Materials& materials) {
+bool isKnown(const Material& material) {
+  return std::isfinite(material.young_modulus) && std::isfinite(material.poisson_ratio) &&
+         std::isfinite(material.density);
+}
+
+std::optional<Section> readGeometricSection(const YamlCursor& section, const Materials& materials) {
   const auto type_value = section.isMap() ? section.require("type") : std::optional<YamlCursor>();
   if (!type_value) {
     if (!section.isMap()) section.checkKeys({"type", "material"});
@@ -57,7 +64,7 @@ Section readGeometricSection(const YamlCursor& section, const Materials& materia
     first = section.number("width", quantity::length, Range::positive());
     second = section.number("height", quantity::length, Range::positive());
   }
-  if (section.faults().count() > before) return {};
+  if (section.faults().count() > before || !isKnown(material)) return {};
   if (type == 0) return solidSection(first, material, correction);
   if (type == 1) return hoseSection(first, second, material, correction);
   return rectangleSection(first, second, material, correction);
@@ -78,11 +85,12 @@ std::pair<double, double> readPair(const YamlCursor& stiffness, const std::strin
   return {both, both};
 }
 
-Section readStiffness(const YamlCursor& stiffness) {
+std::optional<Section> readStiffness(const YamlCursor& stiffness) {
   Section section;
+  const std::size_t before = stiffness.faults().count();
   if (!stiffness.checkKeys(
           {"EA", "GA", "GA_y", "GA_z", "EI", "EI_y", "EI_z", "GJ", "mass_per_length", "radius"})) {
-    return section;
+    return {};
   }
   section.EA = stiffness.number("EA", quantity::stretch_stiffness, Range::positive());
   std::tie(section.GA_y, section.GA_z) = readPair(stiffness, "GA", quantity::stretch_stiffness);
@@ -91,6 +99,7 @@ Section readStiffness(const YamlCursor& stiffness) {
   section.mass_per_length =
       stiffness.number("mass_per_length", quantity::mass_per_length, Range::notNegative());
   section.radius = stiffness.number("radius", quantity::length, Range::positive());
+  if (stiffness.faults().count() > before) return {};
   return section;
 }
 
@@ -105,25 +114,25 @@ Material readMaterial(const YamlCursor& cursor) {
   return material;
 }
 
-Section readSection(const YamlCursor& owner, const Materials& materials) {
+std::optional<Section> readSection(const YamlCursor& owner, const Materials& materials) {
   const auto section = owner.find("section");
   const auto stiffness = owner.find("stiffness");
-  if (section && stiffness) stiffness->fail("'section' is there too; expected one of them");
-  Section result;
-  const std::size_t before = owner.faults().count();
+  if (section && stiffness) {
+    stiffness->fail("'section' is there too; expected one of them");
+    return {};
+  }
+  if (!section && !stiffness) {
+    owner.fail("'section' or 'stiffness' is missing");
+    return {};
+  }
   try {
-    if (section) {
-      result = readGeometricSection(*section, materials);
-    } else if (stiffness) {
-      result = readStiffness(*stiffness);
-    } else {
-      owner.fail("'section' or 'stiffness' is missing");
-    }
-    if (owner.faults().count() == before) validate(result);
+    const auto result = section ? readGeometricSection(*section, materials) : readStiffness(*stiffness);
+    if (result) validate(*result);
+    return result;
   } catch (const std::invalid_argument& error) {
     (section ? *section : *stiffness).fail(error.what());
+    return {};
   }
-  return result;
 }
 
 }  // namespace cable_variation

@@ -18,7 +18,7 @@ Material readMaterial(const YamlCursor& cursor);
 ///            {type: hose, outer_radius | radius, inner_radius | wall, material, shear_correction}
 ///            {type: rectangle, width, height, material, shear_correction}
 ///   stiffness: {EA, GA | GA_y, GA_z, EI | EI_y, EI_z, GJ, mass_per_length, radius}
-/// `material` is a name or a map. After a fault the section is not to be used.
-Section readSection(const YamlCursor& owner, const Materials& materials);
+/// `material` is a name or a map. Nothing after a fault, or with a material that had one.
+std::optional<Section> readSection(const YamlCursor& owner, const Materials& materials);
 
 }  // namespace cable_variation

@@ -1,0 +1,47 @@
+#include <cable_variation/harness/discretisation.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <cable_variation/harness/grid.h>
+#include <cable_variation/harness/minimise.h>
+
+namespace cable_variation {
+
+DiscretisationError estimateDiscretisation(const RodSystem& fine, RodSystem& coarse,
+                                           const Configuration& configuration) {
+  constexpr double kOrderTwo = 3.0;
+  constexpr double kOrderFour = 15.0;
+  constexpr double kAsymptotic = 2e-4;  // of the length: above it the order cannot be counted on
+  DiscretisationError error;
+  const Configuration restricted = transfer(configuration, fine.grid(), coarse.grid());
+  coarse.evaluate(restricted, true);
+  for (std::size_t i = 0; i < coarse.grid().size(); ++i) {
+    error.contribution.emplace_back();
+    for (std::size_t k = 0; k < coarse.elementCount(i); ++k) {
+      const double halves = fine.elementEnergy(i, 2 * k) + fine.elementEnergy(i, 2 * k + 1);
+      error.contribution.back().push_back(std::abs(coarse.elementEnergy(i, k) - halves));
+    }
+  }
+  if (coarse.factorise(kNeutralShift, coarse.bendingMetric()) > 0) {
+    error.centreline = std::numeric_limits<double>::infinity();
+    return error;
+  }
+  NodalField force = coarse.gradient();
+  force.scale(-1.0);
+  NodalField step;
+  coarse.solve(force, step, coarse.hasDeadMoments());
+  double difference = 0.0;
+  for (const auto& nodes : step.spans) {
+    for (Eigen::Index column = 0; column < nodes.cols(); column += 3) {
+      difference = std::max(difference, nodes.col(column).head<3>().norm());
+    }
+  }
+  double length = 0.0;
+  for (const StationConfiguration& station : configuration.stations) length = std::max(length, station.arc_length);
+  error.centreline = difference / (difference > kAsymptotic * length ? kOrderTwo : kOrderFour);
+  return error;
+}
+
+}  // namespace cable_variation

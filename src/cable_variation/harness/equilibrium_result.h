@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cable_variation/harness/equilibrium.h>
+#include <cable_variation/harness/rod_system.h>
+
+namespace cable_variation {
+
+/// Fills shapes, reactions and energy of `result` from a solved system, which
+/// must hold the gradient at `configuration`.
+void describe(const Harness& harness, const Topology& topology, const RodSystem& system,
+              const Configuration& configuration, Equilibrium& result);
+
+/// The largest distance between two shapes of one harness, at equal arc length [m].
+double largestDistance(const Grid& grid_a, const Configuration& a, const Grid& grid_b,
+                       const Configuration& b);
+
+/// The held places of a cable that are further apart than it can reach; empty
+/// when there are none. A cable that must stretch by more than `stretch` cannot reach.
+std::string unreachable(const Harness& harness, const Topology& topology, const Configuration& configuration,
+                        double stretch);
+
+}  // namespace cable_variation

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <cable_variation/math/pose.h>
+
+namespace cable_variation {
+
+/// A held place that a guide curve passes.
+struct GuideAnchor {
+  double arc_length = 0.0;  ///< [m]
+  Eigen::Vector3d position;
+  std::optional<Eigen::Vector3d> tangent;         ///< where a direction is held
+  std::optional<Eigen::Quaterniond> orientation;  ///< where the roll is held too
+};
+
+/// A framed curve, sampled finely enough to interpolate linearly.
+class GuideCurve {
+ public:
+  /// A cubic Bézier curve from `a` to `b` whose length is the arc length
+  /// between them where that is possible. `bulge` pushes its middle aside; a zero
+  /// vector lets the tangents decide.
+  static GuideCurve between(const GuideAnchor& a, const GuideAnchor& b, const Eigen::Vector3d& bulge,
+                            const Eigen::Vector3d& fallback_bulge);
+  /// A straight continuation from `pose` along its x axis, or against it for a negative `length`.
+  static GuideCurve straight(double arc_length, const Pose& pose, double length);
+
+  /// Frames by parallel transport from `first`, turned about the tangent by
+  /// `twist` [rad] in all, evenly.
+  void frame(const Eigen::Quaterniond& first, double twist);
+  /// The twist that frame() would need to end in `last`, in (-π, π].
+  double twistTo(const Eigen::Quaterniond& first, const Eigen::Quaterniond& last) const;
+
+  double start() const { return samples_.front().arc_length; }
+  double end() const { return samples_.back().arc_length; }
+  Pose at(double arc_length) const;
+  Eigen::Vector3d firstTangent() const { return samples_.front().tangent; }
+
+ private:
+  struct Sample {
+    double arc_length;
+    Eigen::Vector3d position, tangent;
+    Eigen::Quaterniond orientation;
+  };
+  std::vector<Sample> samples_;
+};
+
+}  // namespace cable_variation

@@ -1,0 +1,259 @@
+#include <cable_variation/harness/minimise.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+
+namespace cable_variation {
+namespace {
+
+constexpr double kLargestTurn = 0.7;    // of a step, at any node [rad]
+constexpr double kLargestShift = 0.25;  // of a step, over the length of the harness
+constexpr double kShiftGrowth = 8.0;
+constexpr double kFirstShift = 1e-2;
+constexpr double kLargestLmShift = 1e12;
+// A full Newton step below this, relative to length and in radians, leaves an error near its square.
+constexpr double kFinalStep = 1e-6;
+
+struct StepSize {
+  double shift = 0.0;  // [m]
+  double turn = 0.0;   // [rad]
+};
+
+StepSize sizeOf(const NodalField& motion) {
+  StepSize size;
+  for (const auto& nodes : motion.spans) {
+    size.shift = std::max(size.shift, nodes.topRows<3>().colwise().norm().maxCoeff());
+    size.turn = std::max(size.turn, nodes.bottomRows<3>().colwise().norm().maxCoeff());
+  }
+  return size;
+}
+
+double totalLength(const Configuration& configuration) {
+  double length = 0.0;
+  for (const StationConfiguration& station : configuration.stations)
+    length = std::max(length, station.arc_length);
+  return length;
+}
+
+// A vector with a part along everything, the same every time.
+NodalField deterministicField(const RodSystem& system) {
+  NodalField field = system.zeroField();
+  unsigned state = 12345;
+  const auto next = [&state] {
+    state = state * 1664525u + 1013904223u;
+    return static_cast<double>(state >> 8) / 16777216.0 - 0.5;
+  };
+  for (Eigen::Index i = 0; i < field.unknowns.size(); ++i) field.unknowns[i] = next();
+  for (auto& nodes : field.spans) {
+    for (Eigen::Index c = 1; c + 1 < nodes.cols(); ++c) {
+      for (Eigen::Index r = 0; r < 6; ++r) nodes(r, c) = next();
+    }
+  }
+  return field;
+}
+
+// The state of one descent.
+class Descent {
+ public:
+  Descent(RodSystem& system, Configuration& configuration, const MinimiseOptions& options)
+      : system_(system), configuration_(configuration), options_(options), metric_(system.bendingMetric()) {}
+
+  Minimum run() {
+    system_.evaluate(configuration_, true);
+    metric_ = system_.bendingMetric();
+    length_ = totalLength(configuration_);
+    while (result_.iterations < options_.max_iterations) {
+      if (!factorise()) break;
+      const NodalField force = negativeGradient();
+      system_.solve(force, step_, shift_ == kNeutralShift && system_.hasDeadMoments());
+      const StepSize size = sizeOf(step_);
+      if (!std::isfinite(size.shift) || !std::isfinite(size.turn)) break;
+      const bool final = size.shift < kFinalStep * length_ && size.turn < kFinalStep;
+      if (final && shift_ > kNeutralShift) {
+        ++result_.iterations;
+        const bool at_rest = system_.residual() <= 1e3 * tolerance();
+        if (at_rest && negative_seen_ && !leaveSaddle()) break;
+        if (at_rest && negative_seen_) continue;
+        shift_ = kNeutralShift;  // the step is small because of the shift
+        system_.evaluate(configuration_, true);
+        continue;
+      }
+      if (final && shift_ == kNeutralShift) {
+        ++result_.iterations;
+        system_.move(step_, configuration_);
+        system_.evaluate(configuration_, false);
+        if (system_.residual() <= tolerance() || ++final_steps_ > 4) {
+          result_.stationary = system_.residual() <= 1e3 * tolerance();
+          result_.stable = result_.stationary;
+          break;
+        }
+        system_.evaluate(configuration_, true);
+        continue;
+      }
+      tryStep(size);
+    }
+    result_.residual = system_.residual();
+    return result_;
+  }
+
+ private:
+  // Raises the shift until the shifted Hessian is positive definite.
+  bool factorise() {
+    negative_seen_ = false;
+    while (system_.factorise(shift_, metric_) > 0) {
+      negative_seen_ = true;
+      shift_ = std::max(kFirstShift, shift_ * kShiftGrowth);
+      if (shift_ > kLargestLmShift) return false;
+      system_.evaluate(configuration_, true);
+    }
+    return true;
+  }
+
+  NodalField negativeGradient() const {
+    NodalField force = system_.gradient();
+    force.scale(-1.0);
+    return force;
+  }
+
+  double tolerance() const {
+    double force = 0.0;
+    for (const auto& metric : metric_) force = std::max(force, metric.bend);  // EI (π/L)²
+    return std::max(20.0 * system_.residualNoise(), 1e-10 * force);
+  }
+
+  void tryStep(const StepSize& size) {
+    ++result_.iterations;
+    const double limit = std::min(
+        1.0, std::min(kLargestTurn / (size.turn + 1e-300), kLargestShift * length_ / (size.shift + 1e-300)));
+    if (limit < 1.0) step_.scale(limit);
+    const double before = system_.energy().total();
+    const double slope = system_.gradient().dot(step_);
+    const double residual_before = system_.residual();
+    Configuration trial = configuration_;
+    const double work = system_.move(step_, trial);
+    const bool possible = system_.arcLengthsInOrder(trial);
+    if (possible) system_.evaluate(trial, true);
+    const double change = possible ? system_.energy().total() - before - work : INFINITY;
+    const double noise = 1e-13 * (std::abs(before) + system_.energy().elastic);
+    const bool descends = change <= 1e-4 * slope + noise;
+    const bool settles = std::abs(change) <= 1e3 * noise && system_.residual() < residual_before;
+    if (descends || settles) {
+      configuration_ = std::move(trial);
+      const double gain = slope == 0.0 ? 1.0 : change / slope;
+      if (gain > 0.25 || settles)
+        shift_ = shift_ > 1e-3 ? shift_ / (limit < 1.0 ? 2.0 : kShiftGrowth) : kNeutralShift;
+      return;
+    }
+    shift_ = std::max(kFirstShift, shift_ * kShiftGrowth);
+    if (shift_ > kLargestLmShift) result_.iterations = options_.max_iterations;
+    system_.evaluate(configuration_, true);
+  }
+
+  bool leaveSaddle() {
+    if (++saddles_ > 20) return false;
+    NodalField direction;
+    system_.evaluate(configuration_, true);
+    smallestEigenvalue(system_, configuration_, &direction);
+    const StepSize size = sizeOf(direction);
+    system_.evaluate(configuration_, false);
+    const double before = system_.energy().total();
+    Configuration best;
+    double lowest = before;
+    for (double turn : {0.02, -0.02, 0.1, -0.1, 0.4, -0.4}) {
+      NodalField push = direction;
+      push.scale(turn / std::max(size.turn, size.shift / length_ * 4.0));
+      Configuration trial = configuration_;
+      const double work = system_.move(push, trial);
+      if (!system_.arcLengthsInOrder(trial)) continue;
+      system_.evaluate(trial, false);
+      const double energy = system_.energy().total() - work;
+      if (energy < lowest) {
+        lowest = energy;
+        best = trial;
+      }
+      system_.evaluate(configuration_, false);
+    }
+    if (!(lowest < before)) return false;
+    configuration_ = best;
+    shift_ = kFirstShift;
+    system_.evaluate(configuration_, true);
+    return true;
+  }
+
+  RodSystem& system_;
+  Configuration& configuration_;
+  MinimiseOptions options_;
+  std::vector<RodSystem::Metric> metric_;
+  NodalField step_;
+  Minimum result_;
+  double length_ = 0.0;
+  double shift_ = kNeutralShift;
+  bool negative_seen_ = false;
+  int final_steps_ = 0;
+  int saddles_ = 0;
+};
+
+}  // namespace
+
+Minimum minimise(RodSystem& system, Configuration& configuration, const MinimiseOptions& options) {
+  return Descent(system, configuration, options).run();
+}
+
+double smallestEigenvalue(RodSystem& system, const Configuration& configuration, NodalField* motion) {
+  constexpr int kSteps = 24;
+  const auto bending = system.bendingMetric();
+  const auto surface = system.surfaceMetric();
+  // H + c M positive definite; Lanczos for the largest eigenvalue of (H + c M)⁻¹ N, N the surface metric.
+  double shift = kNeutralShift;
+  while (system.factorise(shift, bending) > 0 && shift < 1e12) {
+    shift = std::max(1e-2, 4.0 * shift);
+    system.evaluate(configuration, true);
+  }
+  std::vector<NodalField> basis, weighted;
+  Eigen::VectorXd diagonal(kSteps), off(kSteps);
+  NodalField v = deterministicField(system);
+  NodalField start;
+  system.solve(v, start);
+  v = start;
+  NodalField nv;
+  system.applyMetric(surface, v, nv);
+  double norm = std::sqrt(v.dot(nv));
+  double value = 0.0;
+  Eigen::VectorXd ritz;
+  for (int k = 0; k < kSteps; ++k) {
+    v.scale(1.0 / norm);
+    nv.scale(1.0 / norm);
+    basis.push_back(v);
+    weighted.push_back(nv);
+    NodalField w;
+    system.solve(nv, w);
+    diagonal[k] = w.dot(nv);
+    for (int twice = 0; twice < 2; ++twice) {
+      for (std::size_t j = 0; j < basis.size(); ++j) w.addScaled(-w.dot(weighted[j]), basis[j]);
+    }
+    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
+    solver.computeFromTridiagonal(diagonal.head(k + 1), off.head(k), Eigen::ComputeEigenvectors);
+    const double previous = value;
+    value = solver.eigenvalues()[k];
+    ritz = solver.eigenvectors().col(k);
+    if (k > 2 && std::abs(value - previous) <= 1e-9 * std::abs(value)) break;
+    v = w;
+    system.applyMetric(surface, v, nv);
+    const double norm2 = v.dot(nv);
+    norm = std::sqrt(std::max(norm2, 0.0));
+    if (!(norm > 1e-12 * std::abs(value))) break;
+    off[k] = norm;
+  }
+  NodalField mode = system.zeroField();
+  for (Eigen::Index k = 0; k < ritz.size(); ++k) mode.addScaled(ritz[k], basis[static_cast<std::size_t>(k)]);
+  // mode is N-normal: λ = 1/θ - c modeᵀ M mode
+  NodalField shifted;
+  system.applyMetric(bending, mode, shifted);
+  const double eigenvalue = 1.0 / value - shift * mode.dot(shifted);
+  if (motion != nullptr) *motion = mode;
+  return eigenvalue;
+}
+
+}  // namespace cable_variation

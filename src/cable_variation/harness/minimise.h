@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cable_variation/harness/rod_system.h>
+
+namespace cable_variation {
+
+struct MinimiseOptions {
+  int max_iterations = 400;
+};
+
+struct Minimum {
+  bool stationary = false;  ///< the residual vanished
+  bool stable = false;      ///< and the Hessian is positive (neutral motions allowed)
+  int iterations = 0;       ///< Newton steps
+  double residual = 0.0;    ///< [N]
+};
+
+/// Descends from `configuration` to a minimum of the energy: Newton steps,
+/// shifted towards steepest descent in the metric of the first bending modes
+/// while the Hessian is indefinite or the energy would rise (Levenberg and
+/// Marquardt), and pushed off a saddle along its direction of negative
+/// curvature. Deterministic. On return `system` holds the gradient there, and
+/// the factorised Hessian of the last step before.
+Minimum minimise(RodSystem& system, Configuration& configuration, const MinimiseOptions& options = {});
+
+/// The shift that counts as none: small enough not to slow Newton's method,
+/// large enough to let motions that cost no energy (a round cable turning in
+/// ball joints) pass as stable.
+constexpr double kNeutralShift = 1e-9;
+
+/// The smallest eigenvalue of the Hessian in the metric of the surface's mean
+/// square motion [N/m], and its motion; after evaluate(…, true) at
+/// `configuration`. By Lanczos' method on the inverse.
+double smallestEigenvalue(RodSystem& system, const Configuration& configuration,
+                          NodalField* motion = nullptr);
+
+}  // namespace cable_variation

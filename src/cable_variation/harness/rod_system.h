@@ -1,0 +1,145 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <cable_variation/harness/configuration.h>
+#include <cable_variation/harness/equilibrium.h>
+#include <cable_variation/harness/span_chain.h>
+#include <cable_variation/harness/station_unknowns.h>
+#include <cable_variation/rod/element_kernel.h>
+#include <cable_variation/rod/profile.h>
+
+namespace cable_variation {
+
+/// A motion of a configuration to first order, or a force against it: the
+/// stations' unknowns, and per span its nodes (columns; displacement in the
+/// world above rotation vector in the section frame).
+struct NodalField {
+  Eigen::VectorXd unknowns;
+  std::vector<Eigen::Matrix<double, 6, Eigen::Dynamic>> spans;
+
+  double dot(const NodalField& other) const;
+  void addScaled(double factor, const NodalField& other);
+  void scale(double factor);
+};
+
+/// The discretised harness: energy, its gradient, and its Hessian, factorised in
+/// time linear in the number of elements. Inner nodes of an element, then those
+/// of a span, then the stations are eliminated; L D Lᵀ without pivoting gives
+/// the inertia along the way.
+class RodSystem {
+ public:
+  /// Keeps references to harness and topology.
+  RodSystem(const Harness& harness, const Topology& topology, const Grid& grid);
+  /// To be called when the harness has changed in numbers (see sameStructure()).
+  void harnessChanged();
+  ~RodSystem();
+
+  const Grid& grid() const { return grid_; }
+  const StationUnknowns& unknowns() const { return unknowns_; }
+  std::size_t elementCount(std::size_t span) const { return grid_[span].size() - 1; }
+
+  /// Energy and gradient at `configuration`, and with_hessian its Hessian, not yet factorised.
+  void evaluate(const Configuration& configuration, bool with_hessian);
+
+  const EnergyTerms& energy() const { return energy_; }
+  const NodalField& gradient() const { return gradient_; }
+  /// Largest out-of-balance force: forces, moments over the section's radius of
+  /// gyration, and configurational forces [N].
+  double residual() const;
+  /// The size of the forces that must cancel in it, with rounding: a residual below this is noise.
+  double residualNoise() const;
+
+  /// A diagonal metric of motions.
+  struct Metric {
+    double position = 0.0;  ///< weight of |δφ|² per undeformed length
+    double twist = 0.0;     ///< of the rotation about the tangent
+    double bend = 0.0;      ///< of the rotations about the other axes
+    double slide = 0.0;     ///< of a slid length
+  };
+  /// One metric per span: what makes a shift of 1 as stiff as the span's first bending mode.
+  std::vector<Metric> bendingMetric() const;
+  /// The mean square motion of the cables' surface.
+  std::vector<Metric> surfaceMetric() const;
+
+  /// Factorises Hessian + shift × metric, after evaluate(…, true); once per
+  /// evaluation. Returns the number of pivots that are not positive.
+  int factorise(double shift, const std::vector<Metric>& metric);
+
+  /// Solves with the factorised matrix. Held stations do not move. Dead moments
+  /// have no potential: with_moments adds the skew part of their stiffness, which
+  /// the symmetric factorisation lacks.
+  void solve(const NodalField& force, NodalField& motion, bool with_moments = false);
+  /// The first-order motion of everything when stations are carried along by
+  /// `carried` (6 × stations), other forces being absent.
+  void follow(const Eigen::Matrix<double, 6, Eigen::Dynamic>& carried, NodalField& motion);
+  bool hasDeadMoments() const { return has_dead_moments_; }
+
+  /// Metric times motion.
+  void applyMetric(const std::vector<Metric>& metric, const NodalField& motion, NodalField& result) const;
+  NodalField zeroField() const;
+
+  /// Whether no slide has carried a station past, or nearly onto, its neighbour.
+  bool arcLengthsInOrder(const Configuration& configuration) const;
+
+  /// Moves `configuration`. Returns the work of dead moments along the way [J].
+  double move(const NodalField& motion, Configuration& configuration) const;
+
+  /// Derivative of the elastic and gravity energy by the motion of a span's
+  /// left (0) or right (1) end: what the station does to the span there.
+  Vector6d endForce(std::size_t span, int end) const {
+    return end_force_[span][static_cast<std::size_t>(end)];
+  }
+
+  /// Elastic and gravity energy of one element [J].
+  double elementEnergy(std::size_t span, std::size_t element) const;
+
+  /// Force in the world and moment in the section frame that the part s- of a
+  /// span needs at an element boundary `node` (0 to elementCount): from the element on its left, or the
+  /// first.
+  Vector6d sectionForce(std::size_t span, std::size_t boundary) const;
+
+ private:
+  struct Element {
+    std::size_t batch;
+    int lane;
+  };
+  struct SpanData;
+  struct Batch;
+  struct StationSolver;
+
+  Element elementOf(std::size_t span, std::size_t element) const;
+  void refreshProperties(const Configuration& configuration);
+  void gather(const Configuration& configuration);
+  void assembleGradient(const Configuration& configuration);
+  void assembleStations();
+  void assembleArcLength();
+  void reduceSpan(std::size_t span, int& negative);
+  void condense(NodalField& force, std::vector<Vector14d>& reduced);
+  void expand(const std::vector<Vector14d>& ends, NodalField& motion);
+  Vector14d endMotion(std::size_t span, const Eigen::VectorXd& unknowns) const;
+  void addToUnknowns(std::size_t span, const Vector14d& force, Eigen::VectorXd& unknowns) const;
+
+  const Harness& harness_;
+  const Topology& topology_;
+  Grid grid_;
+  StationUnknowns unknowns_;
+  std::vector<RodProfile> profiles_;
+  std::vector<SpanData> spans_;
+  std::vector<Batch> batches_;
+  std::vector<std::vector<UnknownEffect>> effects_;
+  std::vector<StationUnknowns::Curvature> curvature_;
+  std::vector<Eigen::Vector3d> dead_moment_;  // per station, in the section frame
+  std::vector<std::array<Vector6d, 2>> end_force_;
+  std::unique_ptr<StationSolver> stations_;
+  EnergyTerms energy_;
+  NodalField gradient_;
+  bool has_slides_ = false;
+  bool has_dead_moments_ = false;
+};
+
+}  // namespace cable_variation

@@ -1,0 +1,168 @@
+#include <cable_variation/harness/topology.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include <cable_variation/rod/profile.h>
+
+namespace cable_variation {
+namespace {
+
+// Arc lengths closer than this share of the cable's length are one place.
+constexpr double kSamePlace = 1e-6;
+
+// The stations of one cable while they are collected.
+class Places {
+ public:
+  explicit Places(double length) : tolerance_(kSamePlace * length) {
+    add(0.0);
+    add(length);
+  }
+
+  void add(double arc_length) {
+    if (find(arc_length) == places_.size()) places_.push_back(arc_length);
+  }
+
+  std::size_t find(double arc_length) const {
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      if (std::abs(places_[i] - arc_length) <= tolerance_) return i;
+    }
+    return places_.size();
+  }
+
+  bool has(double arc_length) const { return find(arc_length) != places_.size(); }
+
+  std::vector<double> sorted() const {
+    std::vector<double> result = places_;
+    std::sort(result.begin(), result.end());
+    return result;
+  }
+
+ private:
+  double tolerance_;
+  std::vector<double> places_;
+};
+
+std::size_t stationAt(const Topology& topology, std::size_t cable, double arc_length) {
+  const auto& stations = topology.cable_stations[cable];
+  const auto nearest = std::min_element(stations.begin(), stations.end(), [&](std::size_t a, std::size_t b) {
+    return std::abs(topology.stations[a].arc_length - arc_length) <
+           std::abs(topology.stations[b].arc_length - arc_length);
+  });
+  return *nearest;
+}
+
+std::vector<Places> collectPlaces(const Harness& harness) {
+  std::vector<Places> places;
+  for (const Cable& cable : harness.cables) {
+    places.emplace_back(cable.length);
+    for (double s : RodProfile(cable).breaks()) places.back().add(s);
+  }
+  for (const Clip& clip : harness.clips) {
+    if (!clip.constraint.slides) places[clip.cable].add(clip.arc_length);
+  }
+  for (const Joint& joint : harness.joints) {
+    places[joint.parent].add(joint.parent_arc_length);
+    places[joint.child].add(joint.child_arc_length);
+  }
+  for (const PointLoad& load : harness.loads) places[load.cable].add(load.arc_length);
+  for (const Clip& clip : harness.clips) {
+    if (!clip.constraint.slides) continue;
+    if (places[clip.cable].has(clip.arc_length)) {
+      std::ostringstream text;
+      text << "clip '" << clip.name << "' slides and starts at " << clip.arc_length << " m of cable '"
+           << harness.cables[clip.cable].name << "', where something else is; expected a place of its own";
+      throw std::invalid_argument(text.str());
+    }
+    places[clip.cable].add(clip.arc_length);
+  }
+  return places;
+}
+
+std::vector<std::size_t> parentsFirst(const Topology& topology) {
+  std::vector<std::size_t> order;
+  std::vector<bool> placed(topology.stations.size(), false);
+  while (order.size() < topology.stations.size()) {
+    for (std::size_t i = 0; i < topology.stations.size(); ++i) {
+      const auto& parent = topology.stations[i].parent;
+      if (placed[i] || (parent && !placed[*parent])) continue;
+      placed[i] = true;
+      order.push_back(i);
+    }
+  }
+  return order;
+}
+
+}  // namespace
+
+Topology makeTopology(const Harness& harness) {
+  validate(harness);
+  const std::vector<Places> places = collectPlaces(harness);
+  Topology topology;
+  topology.cable_stations.resize(harness.cables.size());
+  topology.cable_spans.resize(harness.cables.size());
+  for (std::size_t c = 0; c < harness.cables.size(); ++c) {
+    for (double s : places[c].sorted()) {
+      if (!topology.cable_stations[c].empty()) {
+        topology.cable_spans[c].push_back(topology.spans.size());
+        topology.spans.push_back({c, topology.stations.size() - 1, topology.stations.size()});
+      }
+      topology.cable_stations[c].push_back(topology.stations.size());
+      Station station;
+      station.cable = c;
+      station.arc_length = s;
+      topology.stations.push_back(station);
+    }
+  }
+  for (std::size_t i = 0; i < harness.clips.size(); ++i) {
+    topology.clip_station.push_back(stationAt(topology, harness.clips[i].cable, harness.clips[i].arc_length));
+    topology.stations[topology.clip_station.back()].clip = i;
+  }
+  for (std::size_t i = 0; i < harness.joints.size(); ++i) {
+    const Joint& joint = harness.joints[i];
+    topology.joint_parent.push_back(stationAt(topology, joint.parent, joint.parent_arc_length));
+    topology.joint_child.push_back(stationAt(topology, joint.child, joint.child_arc_length));
+    Station& child = topology.stations[topology.joint_child.back()];
+    child.joint = i;
+    child.parent = topology.joint_parent.back();
+  }
+  for (std::size_t i = 0; i < harness.loads.size(); ++i) {
+    topology.stations[stationAt(topology, harness.loads[i].cable, harness.loads[i].arc_length)]
+        .loads.push_back(i);
+  }
+  topology.order = parentsFirst(topology);
+  return topology;
+}
+
+bool sameStructure(const Harness& a, const Topology& of_a, const Harness& b, const Topology& of_b) {
+  if (a.cables.size() != b.cables.size() || a.clips.size() != b.clips.size() ||
+      a.joints.size() != b.joints.size() || of_a.stations.size() != of_b.stations.size()) {
+    return false;
+  }
+  for (std::size_t i = 0; i < of_a.stations.size(); ++i) {
+    const Station& s = of_a.stations[i];
+    const Station& t = of_b.stations[i];
+    if (s.cable != t.cable || s.clip != t.clip || s.joint != t.joint || s.parent != t.parent ||
+        s.loads != t.loads) {
+      return false;
+    }
+  }
+  const auto sameKinds = [](const auto& x, const auto& y) {
+    return std::equal(x.begin(), x.end(), y.begin(),
+                      [](const ClipFreedom& f, const ClipFreedom& g) { return f.kind == g.kind; });
+  };
+  for (std::size_t i = 0; i < a.clips.size(); ++i) {
+    const ClipConstraint& p = a.clips[i].constraint;
+    const ClipConstraint& q = b.clips[i].constraint;
+    if (p.slides != q.slides || !sameKinds(p.translation, q.translation) ||
+        !sameKinds(p.rotation, q.rotation)) {
+      return false;
+    }
+  }
+  return std::equal(a.joints.begin(), a.joints.end(), b.joints.begin(),
+                    [](const Joint& x, const Joint& y) { return x.type == y.type; });
+}
+
+}  // namespace cable_variation
