@@ -114,8 +114,8 @@ Unit parseUnit(const std::string& text) {
     } else if (c == '/') {
       power_sign = -1;
       ++at;
-    } else if (c == '1' && power_sign == 1) {
-      ++at;
+    } else if (c == '1' && at == 0 && text.find_first_not_of(' ', 1) == text.find('/')) {
+      ++at;  // of "1/m"
     } else if (letter(at)) {
       const std::size_t first = at;
       while (letter(at)) ++at;
@@ -125,10 +125,15 @@ Unit parseUnit(const std::string& text) {
         throw std::invalid_argument("unknown unit '" + name + "'");
       }
       int power = 1;
-      if (at < text.size() && text[at] == '^') ++at;
+      const bool raised = at < text.size() && text[at] == '^';
+      if (raised) ++at;
       const bool negative = at < text.size() && text[at] == '-';
       if (negative) ++at;
-      if (at < text.size() && std::isdigit(static_cast<unsigned char>(text[at]))) power = text[at++] - '0';
+      if (at < text.size() && std::isdigit(static_cast<unsigned char>(text[at]))) {
+        power = text[at++] - '0';
+      } else if (raised || negative) {
+        throw std::invalid_argument("'" + text + "' is no unit");
+      }
       power *= power_sign * (negative ? -1 : 1);
       power_sign = 1;
       product.factor *= std::pow(unit->second.factor, power);
@@ -141,6 +146,7 @@ Unit parseUnit(const std::string& text) {
       throw std::invalid_argument("'" + text + "' is no unit");
     }
   }
+  if (power_sign < 0) throw std::invalid_argument("'" + text + "' is no unit");
   return product;
 }
 

@@ -1,0 +1,95 @@
+#include <cable_variation/scene/urdf_reader.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include <cable_variation/geometry/mesh_reader.h>
+#include <cable_variation/scene/resource_address.h>
+
+#include "test_packages.h"
+
+namespace cable_variation {
+namespace {
+
+using Eigen::Vector3d;
+
+std::shared_ptr<const TriangleMesh> load(const std::string& address, const Vector3d& scale) {
+  return std::make_shared<TriangleMesh>(readMesh(localPath(address, findTestPackage), scale));
+}
+
+std::vector<Visual> readArm(const std::map<std::string, JointPosition>& positions) {
+  std::vector<std::string> faults;
+  const auto visuals = readUrdf(findTestPackage("test_data") + "/urdf/arm.urdf", positions, load, faults);
+  EXPECT_EQ(faults, std::vector<std::string>());
+  return visuals;
+}
+
+const Visual& named(const std::vector<Visual>& visuals, const std::string& name) {
+  for (const Visual& visual : visuals) {
+    if (visual.name == name) return visual;
+  }
+  throw std::out_of_range(name);
+}
+
+void expectNear(const Vector3d& a, const Vector3d& b) {
+  EXPECT_NEAR((a - b).norm(), 0.0, 1e-9) << a.transpose() << " and " << b.transpose();
+}
+
+TEST(Urdf, takesVisualsAndElseCollisions) {
+  const auto visuals = readArm({});
+  ASSERT_EQ(visuals.size(), 5U);
+  EXPECT_EQ(visuals[0].name, "base");
+  EXPECT_EQ(visuals[0].mesh->triangles.size(), 12U);  // a box, not the collision's sphere
+  EXPECT_EQ(visuals[0].mesh_resource, "");
+  EXPECT_NEAR((visuals[0].color - Eigen::Vector4d(0.8, 0.1, 0.1, 1.0)).norm(), 0.0, 1e-6);
+  EXPECT_NO_THROW(named(visuals, "upper"));  // has a collision geometry only
+}
+
+TEST(Urdf, placesAndScalesMeshes) {
+  const auto visuals = readArm({});
+  const Visual& mesh = visuals[1];
+  EXPECT_EQ(mesh.mesh_resource, "package://test_data/meshes/tetrahedron.stl");
+  expectNear(mesh.mesh_scale, {0.1, 0.1, 0.1});
+  expectNear(mesh.pose.position, {0.0, 0.0, 0.5});
+  expectNear(mesh.pose * Vector3d::UnitX(), {0.0, 1.0, 0.5});
+  double largest = 0.0;
+  for (const Vector3d& vertex : mesh.mesh->vertices) largest = std::max(largest, vertex.maxCoeff());
+  EXPECT_NEAR(largest, 0.1, 1e-9);
+}
+
+TEST(Urdf, jointsAtZero) {
+  const auto visuals = readArm({});
+  expectNear(named(visuals, "upper").pose.position, {0.0, 0.0, 1.0});
+  expectNear(named(visuals, "finger").pose.position, {0.3, 0.0, 1.0});
+  expectNear(named(visuals, "thumb").pose.position, {0.3, 0.0, 1.001});  // the mimic's offset
+}
+
+TEST(Urdf, jointsAtGivenPositions) {
+  constexpr double kQuarter = 1.5707963267948966;
+  const auto visuals = readArm(
+      {{"shoulder", {kQuarter, JointPosition::Unit::radian}}, {"grip", {0.02, JointPosition::Unit::metre}}});
+  // a quarter turn about y takes x to -z and z to x
+  expectNear(named(visuals, "upper").pose * Vector3d::UnitX(), {0.0, 0.0, 0.0});
+  expectNear(named(visuals, "finger").pose.position, {0.02, 0.0, 0.7});
+  expectNear(named(visuals, "thumb").pose.position, {-0.039, 0.0, 0.7});
+}
+
+TEST(Urdf, parserMessagesAreFaultsAndNotPrinted) {
+  std::vector<std::string> faults;
+  testing::internal::CaptureStderr();
+  readUrdf(findTestPackage("test_data") + "/urdf/not_a_robot.urdf", {}, load, faults);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_EQ(faults, std::vector<std::string>{"link 'a' is not unique."});
+}
+
+TEST(Urdf, aFileThatIsNoXml) {
+  std::vector<std::string> faults;
+  readUrdf(findTestPackage("test_data") + "/samples.txt", {}, load, faults);
+  EXPECT_EQ(faults.size(), 1U);
+}
+
+}  // namespace
+}  // namespace cable_variation
