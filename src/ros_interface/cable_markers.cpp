@@ -14,8 +14,8 @@ using cable_variation::CableShape;
 
 namespace {
 
-constexpr double kLargestBend = 2.0 * M_PI / 180.0;  // of one cylinder [rad]: invisible in RViz's light
-constexpr double kLongest = 0.02;                    // cylinder [m]
+constexpr double kLargestBend = 2.0 * M_PI / 180.0;  // of one segment [rad]: invisible in RViz's light
+constexpr double kLongest = 0.02;                    // segment [m]
 constexpr double kStep = 0.001;                      // at which the shape is looked at [m]
 constexpr std::size_t kMostSteps = 4000;
 
@@ -24,6 +24,14 @@ const std::array<Eigen::Vector4d, 6> kColors = {
     Eigen::Vector4d(0.95, 0.52, 0.08, 1.0), Eigen::Vector4d(0.98, 0.80, 0.20, 1.0),
     Eigen::Vector4d(0.16, 0.56, 0.92, 1.0), Eigen::Vector4d(0.25, 0.75, 0.42, 1.0),
     Eigen::Vector4d(0.68, 0.45, 0.90, 1.0), Eigen::Vector4d(0.20, 0.78, 0.80, 1.0)};
+
+constexpr char kSegment[] = "package://cable_variation/meshes/cable_segment.obj";
+
+/// Closes the end at `end`; `inside` is a point of the centreline next to it.
+void addLid(MarkerGroup& group, const Eigen::Vector3d& end, const Eigen::Vector3d& inside, double radius) {
+  // A little thinner than the cable, so as not to show through its side.
+  group.addCylinder(end, end + 0.1 * radius * (inside - end).normalized(), 0.99 * radius);
+}
 
 void addCable(MarkerGroup& group, const CableShape& shape, const Cable& cable) {
   const auto wanted = static_cast<std::size_t>(std::ceil(cable.length / kStep)) + 1;
@@ -44,12 +52,18 @@ void addCable(MarkerGroup& group, const CableShape& shape, const Cable& cable) {
     const double middle = 0.5 * static_cast<double>(start + i) * step;
     const double radius = sectionAt(cable, middle).radius;
     // Neighbours overlap on the outside of the bend, where cut ends would gape.
-    const Eigen::Vector3d along = (poses[i].position - poses[start].position).normalized();
-    const Eigen::Vector3d overlap = 0.5 * kLargestBend * radius * along;
-    group.addCylinder(poses[start].position - (start == 0 ? Eigen::Vector3d::Zero() : overlap),
-                      poses[i].position + (last ? Eigen::Vector3d::Zero() : overlap), radius);
+    const Eigen::Vector3d span = poses[i].position - poses[start].position;
+    const double overlap = 3.0 * kLargestBend * radius;  // a sixth of it closes the largest bend
+    const double before = start == 0 ? 0.0 : overlap;
+    const double length = span.norm() + before + (last ? 0.0 : overlap);
+    cable_variation::Pose segment;
+    segment.position = poses[start].position - before * span.normalized();
+    segment.orientation = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitX(), span);
+    group.addMeshResource(segment, kSegment, {length, radius, radius});
     start = i;
   }
+  addLid(group, poses[0].position, poses[1].position, sectionAt(cable, 0.0).radius);
+  addLid(group, poses[count - 1].position, poses[count - 2].position, sectionAt(cable, cable.length).radius);
 }
 
 }  // namespace

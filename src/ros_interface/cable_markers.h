@@ -9,9 +9,10 @@ namespace cable_variation_ros {
 /// Cables with their true thickness, namespace cable/NAME; nothing unless the
 /// equilibrium converged.
 ///
-/// A cable is a chain of CYLINDER markers, at most 2° of bend each: RViz gives
-/// cylinders smooth normals and lights them, while a TRIANGLE_LIST is flat-shaded
-/// and, if coloured by vertex, not lit at all; and the chain is a fifteenth of the bytes.
+/// A cable is a chain of meshes/cable_segment.obj, at most 2° of bend each, which
+/// RViz lights with smooth normals. A TRIANGLE_LIST would be flat-shaded (not lit
+/// at all if coloured by vertex) and take ten times the bytes; CYLINDERs have lids
+/// that shine through as specks where two meet.
 visualization_msgs::MarkerArray cableMarkers(const cable_variation::Equilibrium& equilibrium,
                                              const cable_variation::Harness& harness);
 
