@@ -146,9 +146,15 @@ constexpr double kSmallestRadius = 0.002;  // a clip is drawn as for a cable thi
 
 }  // namespace
 
-visualization_msgs::MarkerArray clipMarkers(const Harness& harness) {
+visualization_msgs::MarkerArray clipMarkers(const cable_variation::Equilibrium& equilibrium,
+                                            const Harness& harness) {
   visualization_msgs::MarkerArray array;
-  for (const Clip& clip : harness.clips) {
+  for (std::size_t i = 0; i < harness.clips.size(); ++i) {
+    Clip clip = harness.clips[i];
+    if (clip.type == "free") {
+      if (!equilibrium.converged()) continue;
+      clip.pose = equilibrium.clip_reactions[i].section;
+    }
     const double cable_radius = sectionAt(harness.cables[clip.cable], clip.arc_length).radius;
     const double radius = std::max(cable_radius, kSmallestRadius);
     const ClipLook& look = lookOf(clip.type);

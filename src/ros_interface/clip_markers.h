@@ -2,7 +2,7 @@
 
 #include <visualization_msgs/MarkerArray.h>
 
-#include <cable_variation/harness/harness.h>
+#include <cable_variation/harness/equilibrium.h>
 
 namespace cable_variation_ros {
 
@@ -10,7 +10,9 @@ namespace cable_variation_ros {
 /// clip/NAME: a block (fixed), a band with its tab (rolling), a ball in a cup
 /// (pivot), a pin (hinge), a square channel (sliding), a sleeve
 /// (sliding_rolling), a ring (eyelet), an open channel (guide), a plate (plane),
-/// a rubber disc (grommet), a cone (free), a small block (general).
-visualization_msgs::MarkerArray clipMarkers(const cable_variation::Harness& harness);
+/// a rubber disc (grommet), a cone (free), a small block (general). A free clip is
+/// where its cable is; without an equilibrium it is nowhere.
+visualization_msgs::MarkerArray clipMarkers(const cable_variation::Equilibrium& equilibrium,
+                                            const cable_variation::Harness& harness);
 
 }  // namespace cable_variation_ros

@@ -16,7 +16,7 @@ SolverPublisher::SolverPublisher(ros::NodeHandle& node)
 
 void SolverPublisher::publish(const SolverContext& context) {
   visualization_msgs::MarkerArray markers = cableMarkers(context.equilibrium(), context.harness());
-  const visualization_msgs::MarkerArray clips = clipMarkers(context.harness());
+  const visualization_msgs::MarkerArray clips = clipMarkers(context.equilibrium(), context.harness());
   markers.markers.insert(markers.markers.end(), clips.markers.begin(), clips.markers.end());
   cables_.publish(markers);
   shapes_.publish(toCableShapes(context.equilibrium(), context.harness(), ros::Time::now()));
