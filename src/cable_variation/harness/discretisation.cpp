@@ -4,19 +4,17 @@
 #include <cmath>
 #include <limits>
 
-#include <cable_variation/harness/grid.h>
 #include <cable_variation/harness/minimise.h>
 
 namespace cable_variation {
 
 DiscretisationError estimateDiscretisation(const RodSystem& fine, RodSystem& coarse,
-                                           const Configuration& configuration) {
+                                           const Configuration& on_coarse) {
   constexpr double kOrderTwo = 3.0;
   constexpr double kOrderFour = 15.0;
   constexpr double kAsymptotic = 2e-4;  // of the length: above it the order cannot be counted on
   DiscretisationError error;
-  const Configuration restricted = transfer(configuration, fine.grid(), coarse.grid());
-  coarse.evaluate(restricted, true);
+  coarse.evaluate(on_coarse, true);
   for (std::size_t i = 0; i < coarse.grid().size(); ++i) {
     error.contribution.emplace_back();
     for (std::size_t k = 0; k < coarse.elementCount(i); ++k) {
@@ -39,7 +37,7 @@ DiscretisationError estimateDiscretisation(const RodSystem& fine, RodSystem& coa
     }
   }
   double length = 0.0;
-  for (const StationConfiguration& station : configuration.stations) length = std::max(length, station.arc_length);
+  for (const StationConfiguration& station : on_coarse.stations) length = std::max(length, station.arc_length);
   error.centreline = difference / (difference > kAsymptotic * length ? kOrderTwo : kOrderFour);
   return error;
 }

@@ -13,7 +13,7 @@ struct DiscretisationError {
       contribution;  ///< per span and pair of elements: energy the pair's halves differ by [J]
 };
 
-/// Compares the equilibrium `configuration` of `fine` with that of `coarse`,
+/// Compares the equilibrium of `fine`, also given as `on_coarse`, with that of `coarse`,
 /// the same harness on the grid with every pair of elements merged: one Newton
 /// step there. A method of order p leaves the fine grid an error of 1/(2^p - 1) of
 /// the difference. The nodes converge with order 6 once the grid resolves the

@@ -63,14 +63,47 @@ CableShape describeCable(const Harness& harness, const Topology& topology, const
 
 }  // namespace
 
+std::vector<CableShape> describeShapes(const Harness& harness, const Topology& topology, const RodSystem& system,
+                                       const Configuration& configuration) {
+  std::vector<CableShape> shapes;
+  for (std::size_t c = 0; c < harness.cables.size(); ++c) {
+    shapes.push_back(describeCable(harness, topology, system, configuration, c));
+  }
+  return shapes;
+}
+
+Configuration onGrid(const Topology& topology, const Configuration& configuration,
+                     const std::vector<CableShape>& shapes, const Grid& grid) {
+  Configuration result;
+  result.stations = configuration.stations;
+  result.spans.resize(grid.size());
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    const Span& span = topology.spans[i];
+    const StationConfiguration& left = configuration.stations[span.left];
+    const StationConfiguration& right = configuration.stations[span.right];
+    SpanConfiguration& nodes = result.spans[i];
+    const auto put = [&](const Pose& pose) {
+      nodes.positions.push_back(pose.position);
+      nodes.orientations.push_back(pose.orientation);
+    };
+    put(left.pose);
+    for (std::size_t e = 0; e + 1 < grid[i].size(); ++e) {
+      for (int a = 1; a < element::kNodes; ++a) {
+        const double fraction = grid[i][e] + element::kNodeAt[a] * (grid[i][e + 1] - grid[i][e]);
+        const bool last = e + 2 == grid[i].size() && a == element::kNodes - 1;
+        put(last ? right.pose
+                 : shapes[span.cable].pose(left.arc_length + fraction * (right.arc_length - left.arc_length)));
+      }
+    }
+  }
+  return result;
+}
+
 void describe(const Harness& harness, const Topology& topology, const RodSystem& system,
               const Configuration& configuration, Equilibrium& result) {
   result.energy = system.energy();
   result.residual = system.residual();
-  result.shapes.clear();
-  for (std::size_t c = 0; c < harness.cables.size(); ++c) {
-    result.shapes.push_back(describeCable(harness, topology, system, configuration, c));
-  }
+  result.shapes = describeShapes(harness, topology, system, configuration);
   // What the cables need from outside at each station: what its spans need, less the loads there,
   // plus what the children that hang on it need.
   struct Need {

@@ -5,6 +5,16 @@
 
 namespace cable_variation {
 
+/// The solved cables, from a system that holds the gradient at `configuration`.
+std::vector<CableShape> describeShapes(const Harness& harness, const Topology& topology, const RodSystem& system,
+                                       const Configuration& configuration);
+
+/// The configuration on another grid, its nodes taken from the shapes: their
+/// points are the most accurate that a grid gives, better than the elements'
+/// own polynomials.
+Configuration onGrid(const Topology& topology, const Configuration& configuration,
+                     const std::vector<CableShape>& shapes, const Grid& grid);
+
 /// Fills shapes, reactions and energy of `result` from a solved system, which
 /// must hold the gradient at `configuration`.
 void describe(const Harness& harness, const Topology& topology, const RodSystem& system,

@@ -201,8 +201,11 @@ bool EquilibriumSolver::Impl::search(Equilibrium& result) {
 // the configuration.
 bool EquilibriumSolver::Impl::adaptGrid(Equilibrium& result) {
   for (int round = 0; round <= kRefinements; ++round) {
-    const DiscretisationError error =
-        estimateDiscretisation(*problem->system, *problem->coarse, problem->configuration);
+    const std::vector<CableShape> shapes =
+        describeShapes(problem->harness, problem->topology, *problem->system, problem->configuration);
+    const Configuration on_coarse =
+        onGrid(problem->topology, problem->configuration, shapes, problem->coarse->grid());
+    const DiscretisationError error = estimateDiscretisation(*problem->system, *problem->coarse, on_coarse);
     result.discretisation_error = error.centreline;
     if (error.centreline <= options.accuracy) return true;
     if (round == kRefinements) return false;
@@ -215,10 +218,8 @@ bool EquilibriumSolver::Impl::adaptGrid(Equilibrium& result) {
       marked.emplace_back();
       for (double c : span) marked.back().push_back(c >= 0.02 * largest || !std::isfinite(error.centreline));
     }
-    const Grid from = problem->system->grid();
-    const Grid to = refine(from, marked);
-    problem->configuration = transfer(problem->configuration, from, to);
-    problem->setGrid(to);
+    problem->setGrid(refine(problem->system->grid(), marked));
+    problem->configuration = onGrid(problem->topology, problem->configuration, shapes, problem->system->grid());
     const Minimum minimum = minimise(*problem->system, problem->configuration, {options.max_iterations});
     result.iterations += minimum.iterations;
     result.residual = minimum.residual;

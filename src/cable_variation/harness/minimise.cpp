@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <Eigen/Eigenvalues>
 
@@ -11,7 +12,9 @@ namespace {
 constexpr double kLargestTurn = 0.7;    // of a step, at any node [rad]
 constexpr double kLargestShift = 0.25;  // of a step, over the length of the harness
 constexpr double kShiftGrowth = 8.0;
-constexpr double kFirstShift = 1e-2;
+constexpr double kFirstShift = 0.1;
+constexpr int kLongestDetour = 2;  // [steps]
+constexpr double kSmallestShift = 1e-3;  // below it, none
 constexpr double kLargestLmShift = 1e12;
 // A full Newton step below this, relative to length and in radians, leaves an error near its square.
 constexpr double kFinalStep = 1e-6;
@@ -125,8 +128,8 @@ class Descent {
 
   void tryStep(const StepSize& size) {
     ++result_.iterations;
-    const double limit = std::min(
-        1.0, std::min(kLargestTurn / (size.turn + 1e-300), kLargestShift * length_ / (size.shift + 1e-300)));
+    const double limit =
+        std::min(1.0, std::min(kLargestTurn / (size.turn + 1e-300), kLargestShift * length_ / (size.shift + 1e-300)));
     if (limit < 1.0) step_.scale(limit);
     const double before = system_.energy().total();
     const double slope = system_.gradient().dot(step_);
@@ -139,13 +142,48 @@ class Descent {
     const double noise = 1e-13 * (std::abs(before) + system_.energy().elastic);
     const bool descends = change <= 1e-4 * slope + noise;
     const bool settles = std::abs(change) <= 1e3 * noise && system_.residual() < residual_before;
-    if (descends || settles) {
+    if (detour_) {
+      detour_->change += change;
+      if (detour_->change <= 1e-4 * detour_->slope) {
+        detour_.reset();
+      } else if (++detour_->steps > kLongestDetour || !possible) {
+        configuration_ = std::move(detour_->origin);
+        shift_ = detour_->shift;
+        detour_.reset();
+        raiseShift();
+        return;
+      }
       configuration_ = std::move(trial);
-      const double gain = slope == 0.0 ? 1.0 : change / slope;
-      if (gain > 0.25 || settles)
-        shift_ = shift_ > 1e-3 ? shift_ / (limit < 1.0 ? 2.0 : kShiftGrowth) : kNeutralShift;
       return;
     }
+    if (descends || settles) {
+      configuration_ = std::move(trial);
+      lowerShift(limit, settles ? 0.5 : change / slope);
+      return;
+    }
+    // A stiff cable that is turned by straight displacements is stretched at second order. The energy then
+    // rises, but one more step shrinks it back: allow that before giving the step up.
+    if (possible && limit == 1.0 && shift_ <= kFirstShift && std::isfinite(change)) {
+      detour_ = Detour{std::move(configuration_), slope, change, shift_, 0};
+      configuration_ = std::move(trial);
+      return;
+    }
+    raiseShift();
+  }
+
+  // After a step whose energy changed by `gain` times the slope; a Newton step on a quadratic gains half.
+  void lowerShift(double limit, double gain) {
+    if (limit < 1.0) {
+      shift_ *= 0.5;
+    } else if (gain > 0.4 && gain < 0.6) {
+      shift_ *= 1e-3;
+    } else if (gain > 0.2) {
+      shift_ /= kShiftGrowth;
+    }
+    if (shift_ < kSmallestShift) shift_ = kNeutralShift;
+  }
+
+  void raiseShift() {
     shift_ = std::max(kFirstShift, shift_ * kShiftGrowth);
     if (shift_ > kLargestLmShift) result_.iterations = options_.max_iterations;
     system_.evaluate(configuration_, true);
@@ -182,9 +220,17 @@ class Descent {
     return true;
   }
 
+  // Steps taken although the energy rose, and where they started.
+  struct Detour {
+    Configuration origin;
+    double slope, change, shift;
+    int steps;
+  };
+
   RodSystem& system_;
   Configuration& configuration_;
   MinimiseOptions options_;
+  std::optional<Detour> detour_;
   std::vector<RodSystem::Metric> metric_;
   NodalField step_;
   Minimum result_;
