@@ -92,6 +92,7 @@ TEST(Quantity, refusesWhatIsNoFiniteNumber) {
 }
 
 TEST(Quantity, refusesUnitsItDoesNotKnow) {
+  EXPECT_NE(refusal("5 1", quantity::number), "");
   EXPECT_EQ(refusal("5 mn", quantity::length),
             "unknown unit 'mn' in '5 mn'; expected a length, e.g. '312 mm'; did you mean 'mm'?");
   for (const char* text :

@@ -109,13 +109,13 @@ Unit parseUnit(const std::string& text) {
   };
   while (at < text.size()) {
     const char c = text[at];
-    if (c == ' ' || c == '*') {
+    const std::size_t after_one = c == '1' && at == 0 ? text.find_first_not_of(' ', 1) : std::string::npos;
+    const bool one_over = after_one != std::string::npos && text[after_one] == '/';
+    if (c == ' ' || c == '*' || one_over) {
       ++at;
     } else if (c == '/') {
       power_sign = -1;
       ++at;
-    } else if (c == '1' && at == 0 && text.find_first_not_of(' ', 1) == text.find('/')) {
-      ++at;  // of "1/m"
     } else if (letter(at)) {
       const std::size_t first = at;
       while (letter(at)) ++at;

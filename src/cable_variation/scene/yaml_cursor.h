@@ -18,8 +18,8 @@ namespace cable_variation {
 /// (not a number, empty, or the fallback) and asks the list afterwards.
 class YamlCursor {
  public:
-  YamlCursor(YAML::Node node, int line, std::string label, FaultList& faults)
-      : node_(std::move(node)), line_(line), label_(std::move(label)), faults_(&faults) {}
+  YamlCursor(const YAML::Node& node, int line, std::string label, FaultList& faults)
+      : node_(node), line_(line), label_(std::move(label)), faults_(&faults) {}
 
   int line() const { return line_; }  ///< from 1
   bool isMap() const { return node_.IsMap(); }
