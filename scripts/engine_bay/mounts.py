@@ -7,14 +7,18 @@ import numpy as np
 
 from .curves import filleted
 from .electrics import BATTERY
-from .mesh import join
+from .mesh import join, unit
 from .part import GREY_PLASTIC, STEEL, Part
 from .polygon import circle, rectangle, regular, rounded, slot
 from .solids import bolts, box, lathe, plate, sweep, torus
 
-WH_END = (np.array([0.045, 0.250, 0.278]), -117.0)  # engine frame
-RELAY_SHELF = np.array([0.519, 0.348, 0.413])  # bay frame: middle of the shelf's upper rear edge
-WH_BRANCH = np.array([0.004, 0.262, 0.205])  # engine frame; the cable arrives along -y
+VALVE_TAB = np.array([0.413, 0.342, 0.3895])  # bay frame: upper corner, rear and left
+WH_END = (np.array([0.045, 0.250, 0.278]), -50.0)  # engine frame
+RELAY_SHELF = np.array([0.519, 0.348, 0.413])  # bay frame: the middle of its upper rear edge
+SENSOR_FOOT = np.array([0.091, 0.222, 0.186])  # engine frame
+SENSOR_AXIS = unit([-0.55, 0.80, 0.25])
+TIE_CLIMB, RING_CLIMB = (16, -149), (40, -92)  # the cable's pitch and yaw at the two clips [deg]
+WH_BRANCH = SENSOR_FOOT + 0.042 * SENSOR_AXIS  # the cable arrives against the axis
 
 
 def strip(path, width, thickness=0.0025, bend=0.006, across=(1.0, 0.0, 0.0)):
@@ -32,17 +36,17 @@ def connector():
 
 
 def start_bracket():
-    """Connector WH_Start on its angle; its own frame is the clip's, turned by -30 deg from the bay's."""
-    angle = strip([[-0.022, -0.010, -0.0115], [-0.022, 0.0445, -0.0115], [-0.022, 0.0445, 0.016]], 0.030)
-    screws = bolts([(-0.022 + dx, 0.0432, 0.009) for dx in (-0.009, 0.009)], (0, -1, 0), width=0.007, height=0.005)
-    return join(connector(), join(angle, screws).rotated("z", 30))
+    """Connector WH_Start on its angle; its own frame is the clip's, turned by -66 deg from the bay's."""
+    angle = strip([[-0.009, 0.002, -0.0115], [-0.009, 0.0445, -0.0115], [-0.009, 0.0445, 0.016]], 0.030)
+    screws = bolts([(-0.009 + dx, 0.0432, 0.009) for dx in (-0.009, 0.009)], (0, -1, 0), width=0.007, height=0.005)
+    return join(connector(), join(angle, screws).rotated("z", 66))
 
 
 def end_bracket():
     """In the engine's frame: the connector WH_End on an angle at the cylinder head's left end."""
     place, yaw = WH_END
-    x = place[0] - 0.009
-    angle = strip([[x, place[1] - 0.010, place[2] - 0.0108], [x, 0.2265, place[2] - 0.0108], [x, 0.2265, 0.150]], 0.030)
+    x = place[0] + 0.0135
+    angle = strip([[x, place[1] - 0.006, place[2] - 0.0108], [x, 0.2265, place[2] - 0.0108], [x, 0.2265, 0.150]], 0.030)
     screws = bolts([(x, 0.2278, z) for z in (0.165, 0.195)], (0, 1, 0), width=0.009, height=0.006)
     # The cable arrives here, so the plug lies beyond the frame's origin.
     return connector().rotated("z", yaw + 180).moved(place), join(angle, screws)
@@ -50,16 +54,16 @@ def end_bracket():
 
 def coolant_sensor():
     """In the engine's frame: a screwed-in sensor with the connector WH_Branch."""
-    length = WH_BRANCH[1] - 0.224
-    nut = plate(regular(6, 0.017), 0.0, 0.009, bevel=0.001)
-    plug = lathe([(0, 0.008), (0.0085, 0.008), (0.0085, 0.013), (0.0072, 0.014), (0.0072, length - 0.010), (0.0058, length - 0.007), (0.0058, length), (0, length)], 24)
+    length = np.linalg.norm(WH_BRANCH - SENSOR_FOOT)
+    boss = lathe([(0, -0.012), (0.013, -0.012), (0.013, 0.003), (0.011, 0.005), (0, 0.005)], 28)
+    nut = join(boss, plate(regular(6, 0.017), 0.004, 0.012, bevel=0.001))
+    plug = lathe([(0, 0.011), (0.0085, 0.011), (0.0085, 0.016), (0.0072, 0.017), (0.0072, length - 0.010), (0.0058, length - 0.007), (0.0058, length), (0, length)], 24)
     ring = torus(0.0075, 0.0012, 24, 8).moved(0, 0, length - 0.015)
-    place = (WH_BRANCH[0], 0.224, WH_BRANCH[2])
-    return join(plug, ring).placed(place, (0, 1, 0)), nut.placed(place, (0, 1, 0))
+    return join(plug, ring).placed(SENSOR_FOOT, SENSOR_AXIS), nut.placed(SENSOR_FOOT, SENSOR_AXIS)
 
 
 def relay_stay():
-    """Two relays on a stay of the battery tray; the edge of its shelf is what the harness passes by."""
+    """Two relays on a stay of the battery tray."""
     x, y, z = RELAY_SHELF
     outline = rounded([[x, y - 0.034], [x + 0.044, y - 0.034], [x + 0.044, y + 0.036], [x, y + 0.036]], 0.007, 5)
     holes = [circle(0.0035, 14, (x + 0.008, y - 0.024)), slot(0.018, 0.006, 12, (x + 0.009, y + 0.012), np.pi / 2)]
@@ -75,29 +79,43 @@ def relay_stay():
     return join(shelf, upright, screws), join(relays)
 
 
-def tab(z):
-    """The end of a stay, its upper face at z below a clip."""
-    outline = rounded([[-0.012, -0.012], [0.012, -0.012], [0.012, 0.012], [-0.012, 0.012]], 0.005)
-    return plate(outline, z - 0.0025, z, bevel=0.0008)
+def valve_stay():
+    """A purge valve on a stay of the side member; its tab's edge is what the harness passes by."""
+    x, y, z = VALVE_TAB
+    outline = rounded([[x, y - 0.028], [x + 0.034, y - 0.028], [x + 0.034, y], [x, y]], 0.005, 5)
+    top = plate(outline, z - 0.0025, z, [circle(0.0032, 14, (x + 0.008, y - 0.007))], 0.0008)
+    bends = [[x + 0.018, y - 0.022, z - 0.0035], [x + 0.018, y - 0.004, z - 0.0035], [x + 0.020, 0.398, 0.300], [x + 0.020, 0.438, 0.224], [x + 0.020, 0.438, 0.2065], [x + 0.020, 0.466, 0.2065]]
+    screw = bolts([(x + 0.020, 0.458, 0.2078)], width=0.010)
+    body = lathe([(0, -0.002), (0.0095, -0.002), (0.0105, 0), (0.0105, 0.016), (0.0085, 0.018), (0.0085, 0.026), (0.0065, 0.028), (0, 0.028)], 28)
+    nozzle = lathe([(0, 0), (0.003, 0), (0.003, 0.010), (0.0038, 0.012), (0.0026, 0.018), (0, 0.018)], 16)
+    valve = join(body, nozzle.placed((0, 0, 0.021), (0.6, -0.8, 0)), nozzle.moved(0, 0, 0.026)).moved(x + 0.022, y - 0.014, z)
+    return join(top, strip(bends, 0.020), screw), valve
+
+
+def tab(depth, pitch, yaw):
+    """The end of a stay, `depth` below a clip whose cable climbs by `pitch` towards `yaw` [deg]."""
+    outline = rounded([[-0.011, -0.010], [0.011, -0.010], [0.011, 0.010], [-0.011, 0.010]], 0.005)
+    return plate(outline, -depth - 0.0025, -depth, bevel=0.0008).rotated("y", -pitch).rotated("z", yaw)
 
 
 def tie_stay():
     """For the tube clip WH_Tie: from the gearbox up to a tab under the cable. Axes as the engine's."""
-    bends = [[-0.080, 0, -0.160], [-0.062, 0, -0.187], [-0.010, 0, -0.125], [0.0, 0, -0.055], [0.0, 0, -0.010]]
-    screw = bolts([(-0.0695, 0, -0.1725)], (0.82, 0, 0.57), width=0.009, height=0.006)
-    return join(strip(bends, 0.018, across=(0, 1, 0)), tab(-0.0068), screw)
+    bends = [[-0.062, 0, -0.119], [-0.036, 0, -0.127], [-0.004, 0, -0.080], [0.0, 0, -0.045], [0.0, 0, -0.010]]
+    screw = bolts([(-0.054, 0, -0.1195)], (0.3, 0, 0.95), width=0.009, height=0.006)
+    return join(strip(bends, 0.018, across=(0, 1, 0)), tab(0.0068, *TIE_CLIMB), screw)
 
 
 def ring_stay():
     """For the ring WH_Ring: from the cylinder head out to a tab under the cable. Axes as the engine's."""
-    bends = [[0, -0.0915, -0.105], [0, -0.0915, -0.0105], [0, 0.004, -0.0105]]
-    screws = bolts([(0, -0.0903, z) for z in (-0.093, -0.068)], (0, 1, 0), width=0.009, height=0.006)
-    return join(strip(bends, 0.018), tab(-0.0085), screws)
+    bends = [[0, -0.0615, -0.095], [0, -0.0615, -0.0140], [0, 0.004, -0.0140]]
+    screws = bolts([(0, -0.0603, z) for z in (-0.084, -0.060)], (0, 1, 0), width=0.009, height=0.006)
+    return join(strip(bends, 0.018), tab(0.0090, *RING_CLIMB), screws)
 
 
 def body_parts():
     stay, relays = relay_stay()
-    return [Part("relay_stay", stay, STEEL), Part("relays", relays, GREY_PLASTIC)]
+    support, valve = valve_stay()
+    return [Part("body_stays", join(stay, support), STEEL), Part("relays", join(relays, valve), GREY_PLASTIC)]
 
 
 def engine_parts():
