@@ -123,7 +123,7 @@ TEST_P(ElementKernelTest, GradientIsTheDerivativeOfTheEnergy) {
 TEST_P(ElementKernelTest, HessianIsTheSecondDerivativeOfTheEnergy) {
   Energy out;
   Factor factor;
-  GetParam()->hessian(input_, out, factor);
+  GetParam()->hessian(input_, out, factor, false);
   // along a geodesic through two degrees of freedom at once: the exponential's
   // second derivative is vᵀHv, so polarise
   const double h = 3e-4;
@@ -217,7 +217,7 @@ TEST_P(ElementKernelTest, ElasticEnergyIsInvariantUnderRigidMotions) {
 TEST_P(ElementKernelTest, EliminationSolvesTheFullSystem) {
   Energy out;
   Factor factor;
-  GetParam()->hessian(input_, out, factor);
+  GetParam()->hessian(input_, out, factor, false);
   double shift[kDofs][kLanes];
   for (auto& row : shift) std::fill(row, row + kLanes, 25.0);
   Eigen::MatrixXd full(kDofs, kDofs);

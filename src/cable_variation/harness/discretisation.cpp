@@ -9,12 +9,12 @@
 namespace cable_variation {
 
 DiscretisationError estimateDiscretisation(const RodSystem& fine, RodSystem& coarse,
-                                           const Configuration& on_coarse) {
+                                           const Configuration& on_coarse, bool stable) {
   constexpr double kOrderTwo = 3.0;
   constexpr double kOrderFour = 15.0;
   constexpr double kAsymptotic = 2e-4;  // of the length: above it the order cannot be counted on
   DiscretisationError error;
-  coarse.evaluate(on_coarse, true);
+  coarse.evaluate(on_coarse, RodSystem::Hessian::exact);
   for (std::size_t i = 0; i < coarse.grid().size(); ++i) {
     error.contribution.emplace_back();
     for (std::size_t k = 0; k < coarse.elementCount(i); ++k) {
@@ -22,14 +22,14 @@ DiscretisationError estimateDiscretisation(const RodSystem& fine, RodSystem& coa
       error.contribution.back().push_back(std::abs(coarse.elementEnergy(i, k) - halves));
     }
   }
-  if (coarse.factorise(kNeutralShift, coarse.bendingMetric()) > 0) {
+  if (coarse.factorise(kNeutralShift, coarse.bendingMetric()) > 0 && stable) {
     error.centreline = std::numeric_limits<double>::infinity();
     return error;
   }
   NodalField force = coarse.gradient();
   force.scale(-1.0);
   NodalField step;
-  coarse.solve(force, step, coarse.hasDeadMoments());
+  coarse.solve(force, step);
   double difference = 0.0;
   for (const auto& nodes : step.spans) {
     for (Eigen::Index column = 0; column < nodes.cols(); column += 3) {
@@ -37,7 +37,8 @@ DiscretisationError estimateDiscretisation(const RodSystem& fine, RodSystem& coa
     }
   }
   double length = 0.0;
-  for (const StationConfiguration& station : on_coarse.stations) length = std::max(length, station.arc_length);
+  for (const StationConfiguration& station : on_coarse.stations)
+    length = std::max(length, station.arc_length);
   error.centreline = difference / (difference > kAsymptotic * length ? kOrderTwo : kOrderFour);
   return error;
 }

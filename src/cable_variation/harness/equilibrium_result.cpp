@@ -63,8 +63,8 @@ CableShape describeCable(const Harness& harness, const Topology& topology, const
 
 }  // namespace
 
-std::vector<CableShape> describeShapes(const Harness& harness, const Topology& topology, const RodSystem& system,
-                                       const Configuration& configuration) {
+std::vector<CableShape> describeShapes(const Harness& harness, const Topology& topology,
+                                       const RodSystem& system, const Configuration& configuration) {
   std::vector<CableShape> shapes;
   for (std::size_t c = 0; c < harness.cables.size(); ++c) {
     shapes.push_back(describeCable(harness, topology, system, configuration, c));
@@ -91,8 +91,9 @@ Configuration onGrid(const Topology& topology, const Configuration& configuratio
       for (int a = 1; a < element::kNodes; ++a) {
         const double fraction = grid[i][e] + element::kNodeAt[a] * (grid[i][e + 1] - grid[i][e]);
         const bool last = e + 2 == grid[i].size() && a == element::kNodes - 1;
-        put(last ? right.pose
-                 : shapes[span.cable].pose(left.arc_length + fraction * (right.arc_length - left.arc_length)));
+        put(last
+                ? right.pose
+                : shapes[span.cable].pose(left.arc_length + fraction * (right.arc_length - left.arc_length)));
       }
     }
   }

@@ -6,8 +6,8 @@
 namespace cable_variation {
 
 /// The solved cables, from a system that holds the gradient at `configuration`.
-std::vector<CableShape> describeShapes(const Harness& harness, const Topology& topology, const RodSystem& system,
-                                       const Configuration& configuration);
+std::vector<CableShape> describeShapes(const Harness& harness, const Topology& topology,
+                                       const RodSystem& system, const Configuration& configuration);
 
 /// The configuration on another grid, its nodes taken from the shapes: their
 /// points are the most accurate that a grid gives, better than the elements'

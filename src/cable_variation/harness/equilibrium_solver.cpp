@@ -39,7 +39,7 @@ struct Problem {
       : harness(other.harness), topology(other.topology), configuration(other.configuration) {
     if (other.system) {
       setGrid(other.system->grid());
-      system->evaluate(configuration, true);
+      system->evaluate(configuration, RodSystem::Hessian::exact);
       system->factorise(kNeutralShift, system->bendingMetric());
     }
   }
@@ -57,8 +57,9 @@ struct Problem {
   }
 };
 
-// A stable shape that a start led to.
+// A stationary shape that a start led to.
 struct Candidate {
+  bool stable = false;
   Configuration configuration;
   double energy = 0.0;
   std::vector<double> interval_energy;
@@ -99,6 +100,7 @@ struct EquilibriumSolver::Impl {
 
   EquilibriumOptions options;
   std::unique_ptr<Problem> problem;
+  bool unstable = false;  // no start led to a minimum: the shape at hand is merely stationary
 };
 
 // From one start to a minimum on the current grid.
@@ -109,10 +111,11 @@ std::optional<Candidate> EquilibriumSolver::Impl::tryRouting(const InitialShape&
   Candidate candidate;
   candidate.routing = routing;
   candidate.configuration = initial.make(system.grid(), routing);
-  const Minimum minimum = minimise(system, candidate.configuration, {options.max_iterations});
+  const Minimum minimum = minimise(system, candidate.configuration, {options.max_iterations, false, true});
   result.iterations += minimum.iterations;
   result.residual = minimum.residual;
-  if (!minimum.stable) return std::nullopt;
+  if (!minimum.stationary) return std::nullopt;
+  candidate.stable = minimum.stable;
   candidate.energy = system.energy().total();
   for (const Interval& interval : initial.intervals()) {
     double energy = 0.0;
@@ -132,6 +135,7 @@ bool EquilibriumSolver::Impl::search(Equilibrium& result) {
   const InitialShape initial(problem->harness, problem->topology);
   const auto& intervals = initial.intervals();
   std::vector<Candidate> found;
+  std::optional<Candidate> saddle;
   const std::vector<Routing> natural(intervals.size());
   std::vector<Routing> best_routing = natural;
   std::vector<double> best_energy(intervals.size(), std::numeric_limits<double>::infinity());
@@ -140,6 +144,10 @@ bool EquilibriumSolver::Impl::search(Equilibrium& result) {
   const auto attempt = [&](const std::vector<Routing>& routing) {
     std::optional<Candidate> candidate = tryRouting(initial, routing, result);
     if (!candidate) return;
+    if (!candidate->stable) {
+      if (!saddle) saddle = std::move(candidate);
+      return;
+    }
     for (std::size_t i = 0; i < intervals.size(); ++i) {
       if (candidate->interval_energy[i] < best_energy[i]) {
         best_energy[i] = candidate->interval_energy[i];
@@ -179,7 +187,9 @@ bool EquilibriumSolver::Impl::search(Equilibrium& result) {
     });
     if (mixed && intervals.size() > 1) attempt(best_routing);
   }
-  if (found.empty()) return false;
+  unstable = found.empty() && saddle;
+  if (unstable) problem->configuration = saddle->configuration;
+  if (found.empty()) return unstable;
   // hints choose the natural start's shape, else the lowest energy
   auto chosen = found.begin();
   if (!hinted) {
@@ -205,7 +215,8 @@ bool EquilibriumSolver::Impl::adaptGrid(Equilibrium& result) {
         describeShapes(problem->harness, problem->topology, *problem->system, problem->configuration);
     const Configuration on_coarse =
         onGrid(problem->topology, problem->configuration, shapes, problem->coarse->grid());
-    const DiscretisationError error = estimateDiscretisation(*problem->system, *problem->coarse, on_coarse);
+    const DiscretisationError error =
+        estimateDiscretisation(*problem->system, *problem->coarse, on_coarse, !unstable);
     result.discretisation_error = error.centreline;
     if (error.centreline <= options.accuracy) return true;
     if (round == kRefinements) return false;
@@ -219,11 +230,13 @@ bool EquilibriumSolver::Impl::adaptGrid(Equilibrium& result) {
       for (double c : span) marked.back().push_back(c >= 0.02 * largest || !std::isfinite(error.centreline));
     }
     problem->setGrid(refine(problem->system->grid(), marked));
-    problem->configuration = onGrid(problem->topology, problem->configuration, shapes, problem->system->grid());
-    const Minimum minimum = minimise(*problem->system, problem->configuration, {options.max_iterations});
+    problem->configuration =
+        onGrid(problem->topology, problem->configuration, shapes, problem->system->grid());
+    const Minimum minimum =
+        minimise(*problem->system, problem->configuration, {options.max_iterations, unstable, false});
     result.iterations += minimum.iterations;
     result.residual = minimum.residual;
-    if (!minimum.stable) return false;
+    if (unstable ? !minimum.stationary : !minimum.stable) return false;
   }
   return false;
 }
@@ -242,16 +255,24 @@ void EquilibriumSolver::Impl::finish(Equilibrium& result) {
       return;
     }
   }
-  if (options.eigenvalue) {
-    problem->system->evaluate(problem->configuration, true);
+  if (options.eigenvalue || unstable) {
+    problem->system->evaluate(problem->configuration, RodSystem::Hessian::exact);
     result.smallest_eigenvalue = smallestEigenvalue(*problem->system, problem->configuration);
   }
   result.status = EquilibriumStatus::converged;
+  if (unstable) {
+    std::ostringstream text;
+    text << "the only equilibrium found is unstable: the smallest eigenvalue is "
+         << result.smallest_eigenvalue << " N/m";
+    result.status = EquilibriumStatus::unstable;
+    result.message = text.str();
+  }
 }
 
 Equilibrium EquilibriumSolver::Impl::solve(const Harness& harness) {
   const auto start = Clock::now();
   Equilibrium result;
+  unstable = false;
   problem = std::make_unique<Problem>(harness);
   problem->setGrid(startGrid(problem->harness, problem->topology));
   const auto done = [&] {
@@ -275,7 +296,7 @@ Equilibrium EquilibriumSolver::Impl::solve(const Harness& harness) {
     result.message = "no start led to a stable equilibrium";
     return done();
   }
-  problem->system->evaluate(problem->configuration, false);
+  problem->system->evaluate(problem->configuration, RodSystem::Hessian::none);
   if (!adaptGrid(result)) {
     result.status = EquilibriumStatus::not_converged;
     std::ostringstream text;
@@ -343,7 +364,8 @@ Equilibrium EquilibriumSolver::Impl::update(const Harness& harness) {
       pose.orientation = from.orientation.slerp(t, pose.orientation);
     }
     follow(step);
-    const Minimum minimum = minimise(*problem->system, problem->configuration, {options.max_iterations});
+    const Minimum minimum =
+        minimise(*problem->system, problem->configuration, {options.max_iterations, unstable, false});
     result.iterations += minimum.iterations;
     result.residual = minimum.residual;
     if (minimum.stable) continue;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include <Eigen/Eigenvalues>
 
@@ -13,7 +12,7 @@ constexpr double kLargestTurn = 0.7;    // of a step, at any node [rad]
 constexpr double kLargestShift = 0.25;  // of a step, over the length of the harness
 constexpr double kShiftGrowth = 8.0;
 constexpr double kFirstShift = 0.1;
-constexpr int kLongestDetour = 2;  // [steps]
+constexpr int kLongestClimb = 8;         // steps in a row without a new lowest energy
 constexpr double kSmallestShift = 1e-3;  // below it, none
 constexpr double kLargestLmShift = 1e12;
 // A full Newton step below this, relative to length and in radians, leaves an error near its square.
@@ -64,44 +63,54 @@ class Descent {
       : system_(system), configuration_(configuration), options_(options), metric_(system.bendingMetric()) {}
 
   Minimum run() {
-    system_.evaluate(configuration_, true);
+    if (options_.relaxed) system_.relaxStress();
+    system_.evaluate(configuration_, options_.relaxed ? Hessian::predicted : Hessian::exact);
+    predicted_ = options_.relaxed;
     metric_ = system_.bendingMetric();
     length_ = totalLength(configuration_);
+    lowest_ = {configuration_, system_.energy().total()};
+    if (options_.settle) {
+      settle();
+      return result_;
+    }
     while (result_.iterations < options_.max_iterations) {
       if (!factorise()) break;
-      const NodalField force = negativeGradient();
-      system_.solve(force, step_, shift_ == kNeutralShift && system_.hasDeadMoments());
+      NodalField force = system_.gradient();
+      force.scale(-1.0);
+      system_.solve(force, step_);
       const StepSize size = sizeOf(step_);
       if (!std::isfinite(size.shift) || !std::isfinite(size.turn)) break;
+      ++result_.iterations;
       const bool final = size.shift < kFinalStep * length_ && size.turn < kFinalStep;
-      if (final && shift_ > kNeutralShift) {
-        ++result_.iterations;
+      if (!final) {
+        tryStep(size);
+      } else if (shift_ > kNeutralShift) {
         const bool at_rest = system_.residual() <= 1e3 * tolerance();
-        if (at_rest && negative_seen_ && !leaveSaddle()) break;
-        if (at_rest && negative_seen_) continue;
-        shift_ = kNeutralShift;  // the step is small because of the shift
-        system_.evaluate(configuration_, true);
-        continue;
-      }
-      if (final && shift_ == kNeutralShift) {
-        ++result_.iterations;
-        system_.move(step_, configuration_);
-        system_.evaluate(configuration_, false);
-        if (system_.residual() <= tolerance() || ++final_steps_ > 4) {
-          result_.stationary = system_.residual() <= 1e3 * tolerance();
-          result_.stable = result_.stationary;
-          break;
+        if (at_rest && negative_seen_) {  // stationary, but a saddle
+          if (!leaveSaddle()) {
+            settle();
+            break;
+          }
+        } else {  // the step is small because of the shift
+          shift_ = kNeutralShift;
+          evaluateExactly();
         }
-        system_.evaluate(configuration_, true);
-        continue;
+      } else if (finalStep()) {
+        break;
       }
-      tryStep(size);
     }
     result_.residual = system_.residual();
     return result_;
   }
 
  private:
+  using Hessian = RodSystem::Hessian;
+
+  void evaluateExactly() {
+    system_.evaluate(configuration_, Hessian::exact);
+    predicted_ = false;
+  }
+
   // Raises the shift until the shifted Hessian is positive definite.
   bool factorise() {
     negative_seen_ = false;
@@ -109,15 +118,9 @@ class Descent {
       negative_seen_ = true;
       shift_ = std::max(kFirstShift, shift_ * kShiftGrowth);
       if (shift_ > kLargestLmShift) return false;
-      system_.evaluate(configuration_, true);
+      system_.evaluate(configuration_, predicted_ ? Hessian::predicted : Hessian::exact);
     }
     return true;
-  }
-
-  NodalField negativeGradient() const {
-    NodalField force = system_.gradient();
-    force.scale(-1.0);
-    return force;
   }
 
   double tolerance() const {
@@ -126,49 +129,52 @@ class Descent {
     return std::max(20.0 * system_.residualNoise(), 1e-10 * force);
   }
 
+  // A full Newton step so small that it ends the iteration, unless the residual says otherwise.
+  bool finalStep() {
+    system_.move(step_, configuration_);
+    system_.evaluate(configuration_, Hessian::none);
+    if (system_.residual() <= tolerance() || ++final_steps_ > 4) {
+      result_.stationary = result_.stable = system_.residual() <= 1e3 * tolerance();
+      return true;
+    }
+    evaluateExactly();
+    return false;
+  }
+
   void tryStep(const StepSize& size) {
-    ++result_.iterations;
-    const double limit =
-        std::min(1.0, std::min(kLargestTurn / (size.turn + 1e-300), kLargestShift * length_ / (size.shift + 1e-300)));
+    const double limit = std::min(
+        1.0, std::min(kLargestTurn / (size.turn + 1e-300), kLargestShift * length_ / (size.shift + 1e-300)));
     if (limit < 1.0) step_.scale(limit);
     const double before = system_.energy().total();
     const double slope = system_.gradient().dot(step_);
-    const double residual_before = system_.residual();
+    system_.predictStress(step_);
     Configuration trial = configuration_;
     const double work = system_.move(step_, trial);
-    const bool possible = system_.arcLengthsInOrder(trial);
-    if (possible) system_.evaluate(trial, true);
-    const double change = possible ? system_.energy().total() - before - work : INFINITY;
+    if (!system_.arcLengthsInOrder(trial)) {
+      raiseShift();
+      return;
+    }
+    system_.evaluate(trial, Hessian::predicted);
+    predicted_ = true;
+    const double change = system_.energy().total() - before - work;
+    if (!std::isfinite(change)) {
+      raiseShift();
+      return;
+    }
+    configuration_ = std::move(trial);
+    climbed_ += change;
     const double noise = 1e-13 * (std::abs(before) + system_.energy().elastic);
-    const bool descends = change <= 1e-4 * slope + noise;
-    const bool settles = std::abs(change) <= 1e3 * noise && system_.residual() < residual_before;
-    if (detour_) {
-      detour_->change += change;
-      if (detour_->change <= 1e-4 * detour_->slope) {
-        detour_.reset();
-      } else if (++detour_->steps > kLongestDetour || !possible) {
-        configuration_ = std::move(detour_->origin);
-        shift_ = detour_->shift;
-        detour_.reset();
-        raiseShift();
-        return;
-      }
-      configuration_ = std::move(trial);
-      return;
+    if (climbed_ <= 1e-4 * slope + noise) {
+      lowest_ = {configuration_, system_.energy().total()};
+      climbed_ = 0.0;
+      steps_above_ = 0;
+      lowerShift(limit, change / slope);
+    } else if (++steps_above_ > kLongestClimb) {
+      configuration_ = lowest_.configuration;
+      climbed_ = 0.0;
+      steps_above_ = 0;
+      raiseShift();
     }
-    if (descends || settles) {
-      configuration_ = std::move(trial);
-      lowerShift(limit, settles ? 0.5 : change / slope);
-      return;
-    }
-    // A stiff cable that is turned by straight displacements is stretched at second order. The energy then
-    // rises, but one more step shrinks it back: allow that before giving the step up.
-    if (possible && limit == 1.0 && shift_ <= kFirstShift && std::isfinite(change)) {
-      detour_ = Detour{std::move(configuration_), slope, change, shift_, 0};
-      configuration_ = std::move(trial);
-      return;
-    }
-    raiseShift();
   }
 
   // After a step whose energy changed by `gain` times the slope; a Newton step on a quadratic gains half.
@@ -186,16 +192,39 @@ class Descent {
   void raiseShift() {
     shift_ = std::max(kFirstShift, shift_ * kShiftGrowth);
     if (shift_ > kLargestLmShift) result_.iterations = options_.max_iterations;
-    system_.evaluate(configuration_, true);
+    evaluateExactly();
+  }
+
+  // Plain Newton steps, whatever the Hessian's inertia.
+  void settle() {
+    constexpr int kSteps = 12;
+    shift_ = kNeutralShift;
+    bool positive = false;
+    for (int k = 0; k < kSteps; ++k) {
+      evaluateExactly();
+      positive = system_.factorise(shift_, metric_) == 0;
+      NodalField force = system_.gradient();
+      force.scale(-1.0);
+      system_.solve(force, step_);
+      const StepSize size = sizeOf(step_);
+      if (!(size.turn < kLargestTurn) || !(size.shift < kLargestShift * length_)) return;
+      ++result_.iterations;
+      system_.move(step_, configuration_);
+      if (size.shift < kFinalStep * length_ && size.turn < kFinalStep) break;
+    }
+    system_.evaluate(configuration_, Hessian::none);
+    result_.residual = system_.residual();
+    result_.stationary = result_.residual <= 1e3 * tolerance();
+    result_.stable = result_.stationary && positive;
   }
 
   bool leaveSaddle() {
     if (++saddles_ > 20) return false;
     NodalField direction;
-    system_.evaluate(configuration_, true);
+    system_.evaluate(configuration_, Hessian::exact);
     smallestEigenvalue(system_, configuration_, &direction);
     const StepSize size = sizeOf(direction);
-    system_.evaluate(configuration_, false);
+    system_.evaluate(configuration_, Hessian::none);
     const double before = system_.energy().total();
     Configuration best;
     double lowest = before;
@@ -205,32 +234,36 @@ class Descent {
       Configuration trial = configuration_;
       const double work = system_.move(push, trial);
       if (!system_.arcLengthsInOrder(trial)) continue;
-      system_.evaluate(trial, false);
+      system_.evaluate(trial, Hessian::none);
       const double energy = system_.energy().total() - work;
       if (energy < lowest) {
         lowest = energy;
         best = trial;
       }
-      system_.evaluate(configuration_, false);
+      system_.evaluate(configuration_, Hessian::none);
     }
     if (!(lowest < before)) return false;
     configuration_ = best;
+    lowest_ = {best, lowest};
+    climbed_ = 0.0;
+    steps_above_ = 0;
     shift_ = kFirstShift;
-    system_.evaluate(configuration_, true);
+    evaluateExactly();
     return true;
   }
 
-  // Steps taken although the energy rose, and where they started.
-  struct Detour {
-    Configuration origin;
-    double slope, change, shift;
-    int steps;
+  struct Lowest {
+    Configuration configuration;
+    double energy = 0.0;
   };
 
   RodSystem& system_;
   Configuration& configuration_;
   MinimiseOptions options_;
-  std::optional<Detour> detour_;
+  Lowest lowest_;
+  double climbed_ = 0.0;  // energy above the lowest, dead moments' work taken off [J]
+  int steps_above_ = 0;
+  bool predicted_ = false;
   std::vector<RodSystem::Metric> metric_;
   NodalField step_;
   Minimum result_;
@@ -253,9 +286,9 @@ double smallestEigenvalue(RodSystem& system, const Configuration& configuration,
   const auto surface = system.surfaceMetric();
   // H + c M positive definite; Lanczos for the largest eigenvalue of (H + c M)⁻¹ N, N the surface metric.
   double shift = kNeutralShift;
-  while (system.factorise(shift, bending) > 0 && shift < 1e12) {
+  while (system.factorise(shift, bending, true) > 0 && shift < 1e12) {
     shift = std::max(1e-2, 4.0 * shift);
-    system.evaluate(configuration, true);
+    system.evaluate(configuration, RodSystem::Hessian::exact);
   }
   std::vector<NodalField> basis, weighted;
   Eigen::VectorXd diagonal(kSteps), off(kSteps);

@@ -6,6 +6,8 @@ namespace cable_variation {
 
 struct MinimiseOptions {
   int max_iterations = 400;
+  bool settle = false;   ///< only Newton steps to the stationary point near by, stable or not
+  bool relaxed = false;  ///< start without geometric stiffness: the start's stresses mean nothing
 };
 
 struct Minimum {
@@ -15,12 +17,14 @@ struct Minimum {
   double residual = 0.0;    ///< [N]
 };
 
-/// Descends from `configuration` to a minimum of the energy: Newton steps,
-/// shifted towards steepest descent in the metric of the first bending modes
-/// while the Hessian is indefinite or the energy would rise (Levenberg and
-/// Marquardt), and pushed off a saddle along its direction of negative
-/// curvature. Deterministic. On return `system` holds the gradient there, and
-/// the factorised Hessian of the last step before.
+/// From `configuration` to a minimum of the energy: Newton steps, shifted
+/// towards steepest descent in the metric of the first bending modes while the
+/// Hessian is indefinite or the energy will not fall (Levenberg and Marquardt),
+/// and pushed off a saddle along its direction of negative curvature. The
+/// geometric stiffness comes from predicted stresses, and the energy may rise for
+/// a few steps: a stiff cable is stretched by turning and shrinks back in the
+/// next. Deterministic. On return `system` holds the gradient there, and the
+/// factorised Hessian of the last step before.
 Minimum minimise(RodSystem& system, Configuration& configuration, const MinimiseOptions& options = {});
 
 /// The shift that counts as none: small enough not to slow Newton's method,
@@ -29,7 +33,7 @@ Minimum minimise(RodSystem& system, Configuration& configuration, const Minimise
 constexpr double kNeutralShift = 1e-9;
 
 /// The smallest eigenvalue of the Hessian in the metric of the surface's mean
-/// square motion [N/m], and its motion; after evaluate(…, true) at
+/// square motion [N/m], and its motion; after evaluate() with the exact Hessian at
 /// `configuration`. By Lanczos' method on the inverse.
 double smallestEigenvalue(RodSystem& system, const Configuration& configuration,
                           NodalField* motion = nullptr);

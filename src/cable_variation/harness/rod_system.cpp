@@ -165,15 +165,15 @@ void RodSystem::gather(const Configuration& configuration) {
   }
 }
 
-void RodSystem::evaluate(const Configuration& configuration, bool with_hessian) {
+void RodSystem::evaluate(const Configuration& configuration, Hessian hessian) {
   const element::Kernel& kernel = element::kernel();
   refreshProperties(configuration);
   gather(configuration);
   for (Batch& batch : batches_) {
-    if (with_hessian) {
-      kernel.hessian(batch.input, batch.energy, batch.factor);
-    } else {
+    if (hessian == Hessian::none) {
       kernel.energy(batch.input, batch.energy);
+    } else {
+      kernel.hessian(batch.input, batch.energy, batch.factor, hessian == Hessian::predicted);
     }
     if (has_slides_) kernel.arcLength(batch.input, batch.slope, batch.arc_length);
   }

@@ -43,8 +43,15 @@ class RodSystem {
   const StationUnknowns& unknowns() const { return unknowns_; }
   std::size_t elementCount(std::size_t span) const { return grid_[span].size() - 1; }
 
-  /// Energy and gradient at `configuration`, and with_hessian its Hessian, not yet factorised.
-  void evaluate(const Configuration& configuration, bool with_hessian);
+  /// What evaluate() computes beside energy and gradient: no Hessian, the Hessian (to be factorised), or the
+  /// Hessian with the geometric part of predictStress() or relaxStress().
+  enum class Hessian { none, exact, predicted };
+  void evaluate(const Configuration& configuration, Hessian hessian);
+
+  /// Before a move: the section forces and moments after it, to first order.
+  void predictStress(const NodalField& motion);
+  /// No section forces and moments.
+  void relaxStress();
 
   const EnergyTerms& energy() const { return energy_; }
   const NodalField& gradient() const { return gradient_; }
@@ -66,18 +73,19 @@ class RodSystem {
   /// The mean square motion of the cables' surface.
   std::vector<Metric> surfaceMetric() const;
 
-  /// Factorises Hessian + shift × metric, after evaluate(…, true); once per
-  /// evaluation. Returns the number of pivots that are not positive.
-  int factorise(double shift, const std::vector<Metric>& metric);
+  /// Factorises Hessian + shift × metric, after evaluate() with a Hessian; once per evaluation. Returns the
+  /// number of pivots that are not positive: none for a minimum.
+  ///
+  /// Dead moments have no potential, their stiffness has a skew part. It is taken into account among the
+  /// stations' unknowns, where instead of negative pivots the eigenvalues with a real part that is not
+  /// positive are counted, unless only the symmetric part is asked for.
+  int factorise(double shift, const std::vector<Metric>& metric, bool symmetric = false);
 
-  /// Solves with the factorised matrix. Held stations do not move. Dead moments
-  /// have no potential: with_moments adds the skew part of their stiffness, which
-  /// the symmetric factorisation lacks.
-  void solve(const NodalField& force, NodalField& motion, bool with_moments = false);
+  /// Solves with the factorised matrix. Held stations do not move.
+  void solve(const NodalField& force, NodalField& motion);
   /// The first-order motion of everything when stations are carried along by
   /// `carried` (6 × stations), other forces being absent.
   void follow(const Eigen::Matrix<double, 6, Eigen::Dynamic>& carried, NodalField& motion);
-  bool hasDeadMoments() const { return has_dead_moments_; }
 
   /// Metric times motion.
   void applyMetric(const std::vector<Metric>& metric, const NodalField& motion, NodalField& result) const;
@@ -116,7 +124,7 @@ class RodSystem {
   void refreshProperties(const Configuration& configuration);
   void gather(const Configuration& configuration);
   void assembleGradient(const Configuration& configuration);
-  void assembleStations();
+  void assembleStations(bool symmetric);
   void assembleArcLength();
   void reduceSpan(std::size_t span, int& negative);
   void condense(NodalField& force, std::vector<Vector14d>& reduced);

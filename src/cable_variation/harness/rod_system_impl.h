@@ -41,12 +41,13 @@ struct RodSystem::SpanData {
   double length() const { return right_arc_length - left_arc_length; }
 };
 
-/// The equations of the stations' unknowns: dense when few, sparse when many.
+/// The equations of the stations' unknowns: dense when few, sparse when many; with dead moments unsymmetric.
 struct RodSystem::StationSolver {
   static constexpr int kDense = 64;
 
   Eigen::MatrixXd dense;
   Eigen::LDLT<Eigen::MatrixXd> dense_factor;
+  Eigen::PartialPivLU<Eigen::MatrixXd> unsymmetric_factor;
   Eigen::SparseMatrix<double> sparse;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> sparse_factor;
   std::vector<Eigen::Triplet<double>> entries;
@@ -55,7 +56,7 @@ struct RodSystem::StationSolver {
   bool analysed = false;
 
   int factorise(int count);
-  Eigen::VectorXd solve(const Eigen::VectorXd& rhs, bool with_moments) const;
+  Eigen::VectorXd solve(const Eigen::VectorXd& rhs) const;
 };
 
 }  // namespace cable_variation

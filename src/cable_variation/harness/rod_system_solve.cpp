@@ -21,6 +21,14 @@ int packed(int row, int column) { return row * (row + 1) / 2 + column; }
 
 int RodSystem::StationSolver::factorise(int count) {
   if (count == 0) return 0;
+  if (!moment_entries.empty()) {
+    dense.setZero(count, count);
+    for (const auto* part : {&entries, &moment_entries}) {
+      for (const auto& entry : *part) dense(entry.row(), entry.col()) += entry.value();
+    }
+    unsymmetric_factor.compute(dense);
+    return static_cast<int>((dense.eigenvalues().real().array() <= 0.0).count());
+  }
   if (count <= kDense) {
     dense.setZero(count, count);
     for (const auto& entry : entries) dense(entry.row(), entry.col()) += entry.value();
@@ -36,20 +44,36 @@ int RodSystem::StationSolver::factorise(int count) {
   return static_cast<int>((sparse_factor.vectorD().array() <= 0.0).count());
 }
 
-Eigen::VectorXd RodSystem::StationSolver::solve(const Eigen::VectorXd& rhs, bool with_moments) const {
+Eigen::VectorXd RodSystem::StationSolver::solve(const Eigen::VectorXd& rhs) const {
   if (rhs.size() == 0) return rhs;
-  if (with_moments) {
-    Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(rhs.size(), rhs.size());
-    for (const auto* part : {&entries, &moment_entries}) {
-      for (const auto& entry : *part) matrix(entry.row(), entry.col()) += entry.value();
-    }
-    return matrix.partialPivLu().solve(rhs);
-  }
+  if (!moment_entries.empty()) return unsymmetric_factor.solve(rhs);
   if (rhs.size() <= kDense) return dense_factor.solve(rhs);
   return sparse_factor.solve(rhs);
 }
 
-int RodSystem::factorise(double shift, const std::vector<Metric>& metric) {
+void RodSystem::predictStress(const NodalField& motion) {
+  const element::Kernel& kernel = element::kernel();
+  for (std::size_t i = 0; i < spans_.size(); ++i) {
+    for (std::size_t e = 0; e < spans_[i].elements; ++e) {
+      const Element at = elementOf(i, e);
+      auto& nodes = batches_[at.batch].scratch;
+      for (int a = 0; a < kNodes; ++a) {
+        const auto column = static_cast<Eigen::Index>(3 * e) + a;
+        for (int k = 0; k < 6; ++k) nodes[kFirstDof[a] + k][at.lane] = motion.spans[i](k, column);
+      }
+    }
+  }
+  for (Batch& batch : batches_) kernel.predict(batch.input, batch.scratch, batch.input.stress);
+}
+
+void RodSystem::relaxStress() {
+  for (Batch& batch : batches_) {
+    auto& stress = batch.input.stress;
+    std::fill(&stress[0][0][0], &stress[0][0][0] + element::kGauss * 6 * kLanes, 0.0);
+  }
+}
+
+int RodSystem::factorise(double shift, const std::vector<Metric>& metric, bool symmetric) {
   const element::Kernel& kernel = element::kernel();
   for (Batch& batch : batches_) std::fill(&batch.scratch[0][0], &batch.scratch[0][0] + kDofs * kLanes, 0.0);
   if (shift != 0.0) {
@@ -84,7 +108,7 @@ int RodSystem::factorise(double shift, const std::vector<Metric>& metric) {
       if (slide >= 0) stations_->shift[slide] += shift * metric[i].slide;
     }
   }
-  assembleStations();
+  assembleStations(symmetric);
   return negative + stations_->factorise(unknowns_.count());
 }
 
@@ -135,7 +159,7 @@ void RodSystem::reduceSpan(std::size_t index, int& negative) {
   if (data.slides) data.reduced.block<2, 2>(12, 12) += slide_slide;
 }
 
-void RodSystem::assembleStations() {
+void RodSystem::assembleStations(bool symmetric) {
   auto& entries = stations_->entries;
   entries.clear();
   struct Column {
@@ -166,7 +190,7 @@ void RodSystem::assembleStations() {
 
   auto& moments = stations_->moment_entries;
   moments.clear();
-  if (!has_dead_moments_) return;
+  if (symmetric || !has_dead_moments_) return;
   for (std::size_t i = 0; i < effects_.size(); ++i) {
     for (const UnknownEffect& r : effects_[i]) {
       for (const UnknownEffect& c : effects_[i]) {
@@ -284,12 +308,12 @@ void RodSystem::expand(const std::vector<Vector14d>& ends, NodalField& motion) {
   }
 }
 
-void RodSystem::solve(const NodalField& force, NodalField& motion, bool with_moments) {
+void RodSystem::solve(const NodalField& force, NodalField& motion) {
   motion = force;
   std::vector<Vector14d> ends;
   condense(motion, ends);
   for (std::size_t i = 0; i < spans_.size(); ++i) addToUnknowns(i, ends[i], motion.unknowns);
-  motion.unknowns = stations_->solve(motion.unknowns, with_moments);
+  motion.unknowns = stations_->solve(motion.unknowns);
   for (std::size_t i = 0; i < spans_.size(); ++i) ends[i] = endMotion(i, motion.unknowns);
   expand(ends, motion);
 }
@@ -305,7 +329,7 @@ void RodSystem::follow(const Eigen::Matrix<double, 6, Eigen::Dynamic>& carried, 
     given[i].segment<6>(6) = carried.col(static_cast<Eigen::Index>(topology_.spans[i].right));
     addToUnknowns(i, -(spans_[i].reduced * given[i]), motion.unknowns);
   }
-  motion.unknowns = stations_->solve(motion.unknowns, false);
+  motion.unknowns = stations_->solve(motion.unknowns);
   for (std::size_t i = 0; i < spans_.size(); ++i) ends[i] = given[i] + endMotion(i, motion.unknowns);
   expand(ends, motion);
 }

@@ -40,6 +40,10 @@ struct alignas(64) Input {
   double stiffness[kGauss][6][kLanes];       ///< EA GA_y GA_z [N], GJ EI_y EI_z [N m²]
   double rest_curvature[kGauss][3][kLanes];  ///< Ω₀ [1/m]
   double load[kGauss][3][kLanes];            ///< dead force per undeformed length [N/m], world
+  /// Section force and moment [N], [N m], section frame, for the Hessian's geometric part: those predicted to
+  /// first order before the last step (Kernel::predict). They are free of the stretch that a finite rotation
+  /// feigns, which keeps Newton's method fast for stiff rods (Magisano, Leonetti and Garcea 2017).
+  double stress[kGauss][6][kLanes];
 };
 
 /// What an arc-length derivative needs beside Input: how stiffness, rest
@@ -79,8 +83,11 @@ struct Kernel {
   const char* instruction_set;
   /// Energy and gradient.
   void (*energy)(const Input&, Energy&);
-  /// Energy, gradient and Hessian, the latter not yet factorised.
-  void (*hessian)(const Input&, Energy&, Factor&);
+  /// Energy, gradient and Hessian, the latter not yet factorised; its geometric part from the section forces
+  /// and moments there are, or from Input::stress.
+  void (*hessian)(const Input&, Energy&, Factor&, bool given_stress);
+  /// Section force and moment after `motion` [kDofs][kLanes], to first order, into `stress` as in Input.
+  void (*predict)(const Input&, const double (*motion)[kLanes], double (*stress)[6][kLanes]);
   /// Derivatives with respect to arc length.
   void (*arcLength)(const Input&, const InputSlope&, ArcLength&);
   /// Adds shift to the Hessian's diagonal, then eliminates the inner nodes.

@@ -191,7 +191,7 @@ inline Mat transpose(const Mat& m) {
 }
 
 template <bool kWithHessian>
-inline void evaluate(const Input& in, Energy& out, Factor* factor, int lane) {
+inline void evaluate(const Input& in, Energy& out, Factor* factor, bool given_stress, int lane) {
   const Pack length = load(in.length + lane);
   const Pack inverse_length = 1.0 / length;
   const Pack zero = length - length;
@@ -212,35 +212,41 @@ inline void evaluate(const Input& in, Energy& out, Factor* factor, int lane) {
     const Vec g_rate = (2.0 * w) * s.m;
 
     NodeMap maps[kNodes];
-    Vec g_theta[kNodes];
     for (int a = 0; a < kNodes; ++a) {
       maps[a] = nodeMap(in, s, g, a, lane);
       const Vec x = loadVec(in.position[a], lane);
       const Vec fa = (kShape.value[g][a] * wh) * f;
       potential -= dot(fa, x);
-      g_theta[a] = mapTransposed(maps[a].c, g_b) + mapTransposed(maps[a].d, g_rate);
       const int row = firstDof(a);
       addVec(out.gradient + row, lane, kShape.slope[g][a] * g_position - fa);
-      addVec(out.gradient + row + 3, lane, g_theta[a]);
+      addVec(out.gradient + row + 3, lane, mapTransposed(maps[a].c, g_b) + mapTransposed(maps[a].d, g_rate));
     }
     if constexpr (kWithHessian) {
       const Mat skew_gamma = skew(s.gamma);
       const Mat skew_omega = skew(s.omega);
       const Mat stiff = (w * inverse_length) * (s.R * scaleRows(s.k_gamma, transpose(s.R)));
-      const Mat skew_n = skew(s.n);
+      const Vec n = given_stress ? loadVec(in.stress[g], lane) : s.n;
+      const Vec m = given_stress ? loadVec(in.stress[g] + 3, lane) : s.m;
+      const Vec h_b_gradient = (2.0 * wh) * (cross(n, s.gamma) + cross(m, s.omega));
+      const Vec h_rate_gradient = (2.0 * w) * m;
+      Vec h_theta[kNodes], t[kNodes];
+      for (int a = 0; a < kNodes; ++a) {
+        t[a] = mapTransposed(maps[a].c, h_rate_gradient);
+        h_theta[a] = mapTransposed(maps[a].c, h_b_gradient) + mapTransposed(maps[a].d, h_rate_gradient);
+      }
       const Mat k_skew_gamma = scaleRows(s.k_gamma, skew_gamma);
-      const Mat mixed = s.R * ((2.0 * w) * (k_skew_gamma + (-1.0) * skew_n));
+      const Mat mixed = s.R * ((2.0 * w) * (k_skew_gamma + (-1.0) * skew(n)));
       const Mat k_skew_omega = scaleRows(s.k_omega, skew_omega);
       Mat h_bb =
           4.0 * (transposeProduct(skew_gamma, k_skew_gamma) + transposeProduct(skew_omega, k_skew_omega)) +
-          2.0 * (outer(s.gamma, s.n) + outer(s.n, s.gamma) + outer(s.omega, s.m) + outer(s.m, s.omega));
-      const Pack diagonal = 4.0 * (dot(s.n, s.gamma) + dot(s.m, s.omega));
+          2.0 * (outer(s.gamma, n) + outer(n, s.gamma) + outer(s.omega, m) + outer(m, s.omega));
+      const Pack diagonal = 4.0 * (dot(n, s.gamma) + dot(m, s.omega));
       h_bb.r0.x -= diagonal;
       h_bb.r1.y -= diagonal;
       h_bb.r2.z -= diagonal;
       h_bb = wh * h_bb;
       // ∂²/∂b∂b', b in rows: 2w (2 [Ω]×ᵀ K_Ω + [m]×)
-      const Mat h_b_rate = (2.0 * w) * (2.0 * transpose(k_skew_omega) + skew(s.m));
+      const Mat h_b_rate = (2.0 * w) * (2.0 * transpose(k_skew_omega) + skew(m));
       const Vec h_rate = (4.0 * w * inverse_length) * s.k_omega;
 
       for (int c = 0; c < kNodes; ++c) {
@@ -251,7 +257,6 @@ inline void evaluate(const Input& in, Energy& out, Factor* factor, int lane) {
         const Mat position_rotation = mixed * C;
         const Vec r_c = -1.0 * maps[c].c.v;
         const Vec r_rate_c = -1.0 * maps[c].d.v;
-        const Vec t_c = mapTransposed(maps[c].c, g_rate);
         const int column = firstDof(c);
         for (int a = 0; a < kNodes; ++a) {
           const int row = firstDof(a);
@@ -263,12 +268,11 @@ inline void evaluate(const Input& in, Energy& out, Factor* factor, int lane) {
             // the scale of an interpolated quaternion changes b at second order
             const Vec r_a = -1.0 * maps[a].c.v;
             const Vec r_rate_a = -1.0 * maps[a].d.v;
-            const Vec t_a = mapTransposed(maps[a].c, g_rate);
-            block = block + (-1.0) * (outer(r_a, g_theta[c]) + outer(g_theta[a], r_c) + outer(r_rate_a, t_c) +
-                                      outer(t_a, r_rate_c));
+            block = block + (-1.0) * (outer(r_a, h_theta[c]) + outer(h_theta[a], r_c) +
+                                      outer(r_rate_a, t[c]) + outer(t[a], r_rate_c));
             if (a == c) {
               // exp(θ/2) = 1 + θ/2 - |θ|²/8
-              const Pack bend = 0.5 * (dot(g_b, maps[a].c.v) + dot(g_rate, maps[a].d.v));
+              const Pack bend = 0.5 * (dot(h_b_gradient, maps[a].c.v) + dot(h_rate_gradient, maps[a].d.v));
               block.r0.x -= bend;
               block.r1.y -= bend;
               block.r2.z -= bend;
@@ -291,11 +295,37 @@ inline void evaluate(const Input& in, Energy& out, Factor* factor, int lane) {
 }
 
 void energy(const Input& in, Energy& out) {
-  for (int lane = 0; lane < kLanes; lane += kWidth) evaluate<false>(in, out, nullptr, lane);
+  for (int lane = 0; lane < kLanes; lane += kWidth) evaluate<false>(in, out, nullptr, false, lane);
 }
 
-void hessian(const Input& in, Energy& out, Factor& factor) {
-  for (int lane = 0; lane < kLanes; lane += kWidth) evaluate<true>(in, out, &factor, lane);
+void hessian(const Input& in, Energy& out, Factor& factor, bool given_stress) {
+  for (int lane = 0; lane < kLanes; lane += kWidth) evaluate<true>(in, out, &factor, given_stress, lane);
+}
+
+void predict(const Input& in, const double (*motion)[kLanes], double (*stress)[6][kLanes]) {
+  for (int lane = 0; lane < kLanes; lane += kWidth) {
+    const Pack inverse_length = 1.0 / load(in.length + lane);
+    const Pack zero = inverse_length - inverse_length;
+    for (int g = 0; g < kGauss; ++g) {
+      const GaussState s = gaussState(in, g, lane, inverse_length);
+      Vec shift{zero, zero, zero};  // of dφ/dξ, world
+      Vec b = shift, rate = shift;
+      for (int a = 0; a < kNodes; ++a) {
+        const NodeMap map = nodeMap(in, s, g, a, lane);
+        const int row = firstDof(a);
+        const Vec theta = loadVec(motion + row + 3, lane);
+        shift = shift + kShape.slope[g][a] * loadVec(motion + row, lane);
+        b = b + map.c.w * theta + cross(map.c.v, theta);
+        rate = rate + map.d.w * theta + cross(map.d.v, theta);
+      }
+      const Vec gamma = inverse_length * transposeTimes(s.R, shift) + 2.0 * cross(s.gamma, b);
+      const Vec omega = 2.0 * (inverse_length * rate + cross(s.omega, b));
+      const Vec n = s.n + scale(s.k_gamma, gamma);
+      const Vec m = s.m + scale(s.k_omega, omega);
+      const Pack values[6] = {n.x, n.y, n.z, m.x, m.y, m.z};
+      for (int k = 0; k < 6; ++k) store(stress[g][k] + lane, values[k]);
+    }
+  }
 }
 
 void factorise(Factor& factor, const double (*shift)[kLanes], int* negative_pivots) {
@@ -414,6 +444,6 @@ void arcLength(const Input& in, const InputSlope& slope, ArcLength& out) {
 }  // namespace
 
 extern const Kernel CABLE_VARIATION_KERNEL = {
-    CABLE_VARIATION_INSTRUCTION_SET, energy, hessian, arcLength, factorise, condense, expand};
+    CABLE_VARIATION_INSTRUCTION_SET, energy, hessian, predict, arcLength, factorise, condense, expand};
 
 }  // namespace cable_variation::element
