@@ -18,8 +18,10 @@ struct DiscretisationError {
 /// step there. A method of order p leaves the fine grid an error of 1/(2^p - 1) of
 /// the difference. The nodes converge with order 6 once the grid resolves the
 /// shape; reported is a third of a large difference (order 2) and 1/15 of a small
-/// one (order 4). `fine` must hold the energies at `configuration`.
+/// one (order 4). `fine` must hold the
+/// energies at its equilibrium. When that is `stable` but not so on the coarse
+/// grid, the error is infinite: the grid says too little about it.
 DiscretisationError estimateDiscretisation(const RodSystem& fine, RodSystem& coarse,
-                                           const Configuration& configuration);
+                                           const Configuration& on_coarse, bool stable = true);
 
 }  // namespace cable_variation
