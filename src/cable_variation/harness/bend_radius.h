@@ -10,9 +10,8 @@ struct BendRadius {
   double arc_length = 0.0;  ///< where that is [m]
 };
 
-/// The smallest radius of curvature between neighbouring points of the shape:
-/// their distance over the angle between their tangents. Throws
-/// std::invalid_argument for fewer than two points.
+/// The smallest radius of curvature of the centreline at the shape's points. Throws
+/// std::invalid_argument if there are none.
 BendRadius smallestBendRadius(const CableShape& shape);
 
 }  // namespace cable_variation

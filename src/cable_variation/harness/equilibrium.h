@@ -10,15 +10,18 @@ namespace cable_variation {
 
 /// One section of a solved cable.
 struct ShapePoint {
-  double arc_length = 0.0;    ///< undeformed [m]
-  Pose pose;                  ///< section frame in the world, x the director normal to the section
-  Eigen::Vector3d tangent;    ///< ∂φ/∂s, world; its length is the stretch
-  Eigen::Vector3d bend;       ///< ∂²φ/∂s², world [1/m]
-  Eigen::Vector3d turn;       ///< Ω, how the section frame turns along s, section frame [1/m]
-  Eigen::Vector3d force;      ///< section force, of the part s+ on the part s- [N], world
-  Eigen::Vector3d moment;     ///< section moment, likewise [N m], world
-  Eigen::Vector3d strain;     ///< Γ - Γ₀, section frame: stretch, shear y, shear z
-  Eigen::Vector3d curvature;  ///< Ω - Ω₀, section frame [1/m]: torsion, bending y, bending z
+  double arc_length = 0.0;  ///< undeformed [m]
+  Pose pose;                ///< section frame in the world, x the director normal to the section
+  Eigen::Vector3d tangent = Eigen::Vector3d::Zero();  ///< ∂φ/∂s, world; its length is the stretch
+  Eigen::Vector3d bend = Eigen::Vector3d::Zero();     ///< ∂²φ/∂s², world [1/m]
+  Eigen::Vector3d turn =
+      Eigen::Vector3d::Zero();  ///< Ω, how the section frame turns along s, section frame [1/m]
+  Eigen::Vector3d force =
+      Eigen::Vector3d::Zero();  ///< section force, of the part s+ on the part s- [N], world
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< section moment, likewise [N m], world
+  Eigen::Vector3d strain = Eigen::Vector3d::Zero();  ///< Γ - Γ₀, section frame: stretch, shear y, shear z
+  Eigen::Vector3d curvature =
+      Eigen::Vector3d::Zero();  ///< Ω - Ω₀, section frame [1/m]: torsion, bending y, bending z
 };
 
 /// A solved cable: sections at the solver's own grid, ends included. At a clip
