@@ -43,7 +43,7 @@ Vector6 gap(const ShootingSolver::Problem& problem, const Vector6& wrench,
     if (solution != nullptr) solution->centreline.col(i + 1) = y.head<3>();
   }
   Vector6 miss;
-  miss << (y.head<3>() - problem.end.position) / problem.length,
+  miss << (y.head<3>() - problem.end.position),
       so3::log(problem.end.orientation.conjugate() * Eigen::Quaterniond(y.segment<4>(3)).normalized());
   return miss;
 }
@@ -61,7 +61,7 @@ ShootingSolver::Solution ShootingSolver::solve(const Problem& problem, const Vec
   Vector6 x = guess.cwiseQuotient(unit);
   Vector6 miss = gap(problem, x.cwiseProduct(unit), nullptr);
   double damping = 1e-2;
-  for (; solution.iterations < kIterations && miss.norm() > 1e-9; ++solution.iterations) {
+  for (; solution.iterations < kIterations && miss.norm() > 1e-8; ++solution.iterations) {
     Eigen::Matrix<double, 6, 6> jacobian;
     for (int k = 0; k < 6; ++k) {
       const double step = 1e-7;
@@ -71,7 +71,7 @@ ShootingSolver::Solution ShootingSolver::solve(const Problem& problem, const Vec
     const Eigen::Matrix<double, 6, 6> normal = jacobian.transpose() * jacobian;
     while (damping < 1e12) {
       Eigen::Matrix<double, 6, 6> damped = normal;
-      damped.diagonal() *= 1.0 + damping;
+      damped.diagonal().array() += damping;
       const Vector6 trial = x - damped.ldlt().solve(jacobian.transpose() * miss);
       const Vector6 there = gap(problem, trial.cwiseProduct(unit), nullptr);
       if (there.norm() < miss.norm()) {
@@ -84,7 +84,7 @@ ShootingSolver::Solution ShootingSolver::solve(const Problem& problem, const Vec
     }
   }
   solution.start_wrench = x.cwiseProduct(unit);
-  solution.converged = gap(problem, solution.start_wrench, &solution).norm() <= 1e-9;
+  solution.converged = gap(problem, solution.start_wrench, &solution).norm() <= 1e-8;
   return solution;
 }
 
