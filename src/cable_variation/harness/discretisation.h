@@ -15,10 +15,11 @@ struct DiscretisationError {
 
 /// Compares the equilibrium of `fine`, also given as `on_coarse`, with that of `coarse`,
 /// the same harness on the grid with every pair of elements merged: one Newton
-/// step there. A method of order p leaves the fine grid an error of 1/(2^p - 1) of
-/// the difference. The nodes converge with order 6 once the grid resolves the
-/// shape; reported is a third of a large difference (order 2) and 1/15 of a small
-/// one (order 4). `fine` must hold the
+/// step there, at every node, inner ones too, since shapes are read between the
+/// elements' ends as well. A method of order p leaves the fine grid an error of 1/(2^p - 1) of
+/// the difference. The ends converge with order 6 and what lies between with order 4 once the
+/// grid resolves the shape, less where a rest curvature is given by knots; reported is a third of
+/// a large difference (order 2) and a seventh of a small one (order 3). `fine` must hold the
 /// energies at its equilibrium. When that is `stable` but not so on the coarse
 /// grid, the error is infinite: the grid says too little about it.
 DiscretisationError estimateDiscretisation(const RodSystem& fine, RodSystem& coarse,

@@ -198,4 +198,30 @@ std::string unreachable(const Harness& harness, const Topology& topology, const 
   return {};
 }
 
+std::string whereItFailed(const Harness& harness, const Topology& topology, const RodSystem& system,
+                          const Configuration& configuration) {
+  constexpr double kNoRoom = 0.02;  // of the cable's length
+  std::ostringstream text;
+  for (const Span& span : topology.spans) {
+    const double length =
+        configuration.stations[span.right].arc_length - configuration.stations[span.left].arc_length;
+    const Cable& cable = harness.cables[span.cable];
+    if (length > kNoRoom * cable.length) continue;
+    for (std::size_t index : {span.left, span.right}) {
+      if (system.unknowns().slide(index) < 0) continue;
+      text << "clip '" << harness.clips[*topology.stations[index].clip].name << "' slid to "
+           << 1e3 * configuration.stations[index].arc_length << " mm of cable '" << cable.name
+           << "', to the end of its room: expected it to come to rest before a cable's end, a clip, a joint, "
+              "a load "
+              "or a change of section";
+      return text.str();
+    }
+  }
+  const Span& span = topology.spans[system.worstSpan()];
+  text << "cable '" << harness.cables[span.cable].name << "' is furthest from balance, between "
+       << 1e3 * configuration.stations[span.left].arc_length << " and "
+       << 1e3 * configuration.stations[span.right].arc_length << " mm";
+  return text.str();
+}
+
 }  // namespace cable_variation

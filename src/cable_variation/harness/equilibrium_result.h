@@ -29,4 +29,9 @@ double largestDistance(const Grid& grid_a, const Configuration& a, const Grid& g
 std::string unreachable(const Harness& harness, const Topology& topology, const Configuration& configuration,
                         double stretch);
 
+/// Why a descent that ended in `configuration` may have failed: a sliding clip
+/// that has come to the end of its room, else the piece of cable furthest from balance.
+std::string whereItFailed(const Harness& harness, const Topology& topology, const RodSystem& system,
+                          const Configuration& configuration);
+
 }  // namespace cable_variation

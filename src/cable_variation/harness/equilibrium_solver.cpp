@@ -100,6 +100,7 @@ struct EquilibriumSolver::Impl {
 
   EquilibriumOptions options;
   std::unique_ptr<Problem> problem;
+  std::string failure;    // of the first start that led nowhere
   bool unstable = false;  // no start led to a minimum: the shape at hand is merely stationary
 };
 
@@ -114,7 +115,12 @@ std::optional<Candidate> EquilibriumSolver::Impl::tryRouting(const InitialShape&
   const Minimum minimum = minimise(system, candidate.configuration, {options.max_iterations, false, true});
   result.iterations += minimum.iterations;
   result.residual = minimum.residual;
-  if (!minimum.stationary) return std::nullopt;
+  if (!minimum.stationary) {
+    if (failure.empty()) {
+      failure = whereItFailed(problem->harness, problem->topology, system, candidate.configuration);
+    }
+    return std::nullopt;
+  }
   candidate.stable = minimum.stable;
   candidate.energy = system.energy().total();
   for (const Interval& interval : initial.intervals()) {
@@ -273,6 +279,7 @@ Equilibrium EquilibriumSolver::Impl::solve(const Harness& harness) {
   const auto start = Clock::now();
   Equilibrium result;
   unstable = false;
+  failure.clear();
   problem = std::make_unique<Problem>(harness);
   problem->setGrid(startGrid(problem->harness, problem->topology));
   const auto done = [&] {
@@ -293,7 +300,7 @@ Equilibrium EquilibriumSolver::Impl::solve(const Harness& harness) {
   }
   if (!search(result)) {
     result.status = EquilibriumStatus::not_converged;
-    result.message = "no start led to a stable equilibrium";
+    result.message = "no start led to an equilibrium: " + failure;
     return done();
   }
   problem->system->evaluate(problem->configuration, RodSystem::Hessian::none);
@@ -301,7 +308,8 @@ Equilibrium EquilibriumSolver::Impl::solve(const Harness& harness) {
     result.status = EquilibriumStatus::not_converged;
     std::ostringstream text;
     text << "the grid could not be refined to the accuracy of " << 1e3 * options.accuracy
-         << " mm; estimated error " << 1e3 * result.discretisation_error << " mm";
+         << " mm; estimated error " << 1e3 * result.discretisation_error << " mm; "
+         << whereItFailed(problem->harness, problem->topology, *problem->system, problem->configuration);
     result.message = text.str();
     return done();
   }

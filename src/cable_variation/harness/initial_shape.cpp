@@ -85,7 +85,7 @@ class CableGuide {
  public:
   CableGuide(const Harness& harness, const Topology& topology, std::size_t cable,
              const Configuration& configuration)
-      : harness_(harness), topology_(topology), cable_(cable) {
+      : harness_(harness), cable_(cable) {
     for (std::size_t index : topology.cable_stations[cable]) {
       const Station& station = topology.stations[index];
       if (!holdsPosition(harness, station)) continue;
@@ -235,7 +235,6 @@ class CableGuide {
   }
 
   const Harness& harness_;
-  const Topology& topology_;
   std::size_t cable_;
   std::vector<GuideAnchor> anchors_;
   std::vector<GuideCurve> curves_;

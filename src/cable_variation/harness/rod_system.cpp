@@ -305,6 +305,21 @@ double RodSystem::residual() const {
   return largest;
 }
 
+std::size_t RodSystem::worstSpan() const {
+  std::size_t worst = 0;
+  double largest = -1.0;
+  for (std::size_t i = 0; i < spans_.size(); ++i) {
+    const auto& nodes = gradient_.spans[i];
+    const double here = std::max(nodes.topRows<3>().cwiseAbs().maxCoeff(),
+                                 nodes.bottomRows<3>().cwiseAbs().maxCoeff() / spans_[i].gyration);
+    if (here > largest) {
+      largest = here;
+      worst = i;
+    }
+  }
+  return worst;
+}
+
 double RodSystem::residualNoise() const {
   double noise = 0.0;
   for (const SpanData& data : spans_) {
