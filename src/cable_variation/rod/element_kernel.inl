@@ -47,7 +47,7 @@ inline Mat transposeProduct(const Mat& a, const Mat& b) {  // aᵀ b
           a.r0.z * b.r0 + a.r1.z * b.r1 + a.r2.z * b.r2};
 }
 inline Mat skew(Vec v) {
-  const Pack zero = v.x - v.x;
+  const Pack zero = {};
   return {{zero, -v.z, v.y}, {v.z, zero, -v.x}, {-v.y, v.x, zero}};
 }
 inline Mat outer(Vec a, Vec b) { return {a.x * b, a.y * b, a.z * b}; }
@@ -124,7 +124,7 @@ struct GaussState {
 };
 
 inline GaussState gaussState(const Input& in, int g, int lane, Pack inverse_length) {
-  const Pack zero = inverse_length - inverse_length;
+  const Pack zero = {};
   Quat Q{zero, {zero, zero, zero}};
   Quat E = Q;
   Vec d{zero, zero, zero};
@@ -194,7 +194,7 @@ template <bool kWithHessian>
 inline void evaluate(const Input& in, Energy& out, Factor* factor, bool given_stress, int lane) {
   const Pack length = load(in.length + lane);
   const Pack inverse_length = 1.0 / length;
-  const Pack zero = length - length;
+  const Pack zero = {};
   Pack elastic = zero;
   Pack potential = zero;
   for (int i = 0; i < kDofs; ++i) store(out.gradient[i] + lane, zero);
@@ -305,7 +305,7 @@ void hessian(const Input& in, Energy& out, Factor& factor, bool given_stress) {
 void predict(const Input& in, const double (*motion)[kLanes], double (*stress)[6][kLanes]) {
   for (int lane = 0; lane < kLanes; lane += kWidth) {
     const Pack inverse_length = 1.0 / load(in.length + lane);
-    const Pack zero = inverse_length - inverse_length;
+    const Pack zero = {};
     for (int g = 0; g < kGauss; ++g) {
       const GaussState s = gaussState(in, g, lane, inverse_length);
       Vec shift{zero, zero, zero};  // of dφ/dξ, world
@@ -383,7 +383,7 @@ void arcLength(const Input& in, const InputSlope& slope, ArcLength& out) {
   for (int lane = 0; lane < kLanes; lane += kWidth) {
     const Pack length = load(in.length + lane);
     const Pack inverse_length = 1.0 / length;
-    const Pack zero = length - length;
+    const Pack zero = {};
     for (int end = 0; end < 2; ++end) {
       store(out.gradient[end] + lane, zero);
       for (int i = 0; i < kDofs; ++i) store(out.mixed[end][i] + lane, zero);
