@@ -1,0 +1,63 @@
+// The smallest bend radius of shapes whose curvature is known.
+#include <cable_variation/harness/bend_radius.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+namespace cable_variation {
+namespace {
+
+TEST(BendRadius, OfAnEllipseIsAtItsTip) {
+  // (a cos t, b sin t) at unit speed of t: the radius of curvature is b²/a at t = 0, a²/b at a right angle.
+  const double a = 0.2, b = 0.1;
+  CableShape shape;
+  for (int i = -10; i <= 10; ++i) {
+    const double t = 0.05 * M_PI * i;
+    ShapePoint point;
+    point.arc_length = t + 2.0;
+    point.tangent = {-a * std::sin(t), b * std::cos(t), 0.0};
+    point.bend = {-a * std::cos(t), -b * std::sin(t), 0.0};
+    shape.points.push_back(point);
+  }
+  const BendRadius bend = smallestBendRadius(shape);
+  EXPECT_NEAR(bend.radius, b * b / a, 1e-12);
+  EXPECT_NEAR(bend.arc_length, 2.0, 1e-12);
+}
+
+TEST(BendRadius, OfAStraightCableIsInfinite) {
+  CableShape shape;
+  shape.points.resize(3);
+  for (ShapePoint& point : shape.points) point.tangent = Eigen::Vector3d::UnitX();
+  EXPECT_TRUE(std::isinf(smallestBendRadius(shape).radius));
+}
+
+TEST(BendRadius, OfASolvedRollUpIsThatOfItsCircle) {
+  // An end moment M bends a weightless cantilever to radius EI / M.
+  Harness harness;
+  harness.gravity.setZero();
+  const Section section = solidSection(0.004, {1e8, 0.25, 2000});
+  harness.cables.resize(1);
+  harness.cables[0].name = "roll";
+  harness.cables[0].length = 0.3;
+  harness.cables[0].sections = {{0.0, section}};
+  Clip clip;
+  clip.name = "A";
+  clip.type = "fixed";
+  clip.constraint = fixedClip();
+  harness.clips = {clip};
+  PointLoad load;
+  load.name = "M";
+  load.arc_length = 0.3;
+  load.moment = {0.0, 0.0, section.EI_z / 0.15};
+  harness.loads = {load};
+  const Equilibrium equilibrium = EquilibriumSolver().solve(harness);
+  ASSERT_TRUE(equilibrium.converged()) << equilibrium.message;
+  EXPECT_NEAR(smallestBendRadius(equilibrium.shapes[0]).radius, 0.15, 1e-4);
+}
+
+TEST(BendRadius, NeedsPoints) { EXPECT_THROW(smallestBendRadius(CableShape()), std::invalid_argument); }
+
+}  // namespace
+}  // namespace cable_variation

@@ -1,0 +1,156 @@
+// Motions read from bags that the tests write: what is taken, and what is refused with its name.
+#include <ros_interface/bag_motion.h>
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+
+#include <geometry_msgs/PoseStamped.h>
+#include <geometry_msgs/PoseWithCovarianceStamped.h>
+#include <geometry_msgs/TransformStamped.h>
+#include <gtest/gtest.h>
+#include <rosbag/bag.h>
+#include <std_msgs/String.h>
+#include <tf2_msgs/TFMessage.h>
+
+namespace cable_variation_ros {
+namespace {
+
+using cable_variation::TimedPose;
+
+geometry_msgs::TransformStamped transform(double time, const std::string& parent, const std::string& frame,
+                                          double x) {
+  geometry_msgs::TransformStamped message;
+  message.header.stamp = ros::Time(time);
+  message.header.frame_id = parent;
+  message.child_frame_id = frame;
+  message.transform.translation.x = x;
+  message.transform.rotation.w = 1.0;
+  return message;
+}
+
+tf2_msgs::TFMessage tf(const std::vector<geometry_msgs::TransformStamped>& transforms) {
+  tf2_msgs::TFMessage message;
+  message.transforms = transforms;
+  return message;
+}
+
+class BagMotion : public testing::Test {
+ protected:
+  BagMotion()
+      : path_(
+            (std::filesystem::temp_directory_path() / (std::to_string(getpid()) + "_motion.bag")).string()) {}
+  ~BagMotion() override { std::remove(path_.c_str()); }
+
+  void write(const std::function<void(rosbag::Bag&)>& content) {
+    rosbag::Bag bag(path_, rosbag::bagmode::Write);
+    content(bag);
+  }
+
+  std::vector<TimedPose> read(const std::string& topic = "/tf") {
+    return readBagMotion(path_, topic, "sled", "world");
+  }
+
+  void expectRefused(const std::string& part, const std::string& topic = "/tf") {
+    try {
+      read(topic);
+      ADD_FAILURE() << "expected: " << part;
+    } catch (const std::invalid_argument& error) {
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+      EXPECT_NE(std::string(error.what()).find(path_), std::string::npos) << error.what();
+    }
+  }
+
+  std::string path_;
+};
+
+TEST_F(BagMotion, TakesTheFrameFromTfWithTimesFromZero) {
+  write([](rosbag::Bag& bag) {
+    bag.write("/tf", ros::Time(7),
+              tf({transform(5.0, "map", "other", 9.0), transform(5.0, "/world", "/sled", 0.1)}));
+    bag.write("/tf", ros::Time(8), tf({transform(5.25, "world", "sled", 0.2)}));
+  });
+  const std::vector<TimedPose> samples = read();
+  ASSERT_EQ(samples.size(), 2u);
+  EXPECT_EQ(samples[0].time, 0.0);
+  EXPECT_EQ(samples[1].time, 0.25);
+  EXPECT_EQ(samples[1].pose.position, Eigen::Vector3d(0.2, 0.0, 0.0));
+}
+
+TEST_F(BagMotion, TakesEachTypeOfPose) {
+  write([](rosbag::Bag& bag) {
+    geometry_msgs::PoseStamped pose;
+    pose.header.frame_id = "world";
+    pose.header.stamp = ros::Time(1.0);
+    pose.pose.position.y = 0.5;
+    pose.pose.orientation.w = 1.0;
+    bag.write("/pose", ros::Time(1), pose);
+    geometry_msgs::PoseWithCovarianceStamped uncertain;
+    uncertain.header = pose.header;
+    uncertain.pose.pose = pose.pose;
+    bag.write("/uncertain", ros::Time(1), uncertain);
+    bag.write("/transform", ros::Time(1), transform(1.0, "world", "sled", 0.5));
+  });
+  EXPECT_EQ(read("/pose").at(0).pose.position.y(), 0.5);
+  EXPECT_EQ(read("/uncertain").at(0).pose.position.y(), 0.5);
+  EXPECT_EQ(read("/transform").at(0).pose.position.x(), 0.5);
+}
+
+TEST_F(BagMotion, WithoutStampsTheRecordersTimesCount) {
+  write([](rosbag::Bag& bag) {
+    bag.write("/tf", ros::Time(7.0), tf({transform(0.0, "world", "sled", 0.1)}));
+    bag.write("/tf", ros::Time(7.5), tf({transform(0.0, "world", "sled", 0.2)}));
+  });
+  EXPECT_EQ(read().at(1).time, 0.5);
+}
+
+TEST_F(BagMotion, TakesARepeatedTransformOnce) {
+  write([](rosbag::Bag& bag) {
+    bag.write("/tf", ros::Time(7), tf({transform(5.0, "world", "sled", 0.1)}));
+    bag.write("/tf", ros::Time(8), tf({transform(5.0, "world", "sled", 0.1)}));
+  });
+  EXPECT_EQ(read().size(), 1u);
+}
+
+TEST_F(BagMotion, RefusesWhatIsNotThere) {
+  write([](rosbag::Bag& bag) { bag.write("/tf", ros::Time(7), tf({transform(5.0, "world", "cart", 0.1)})); });
+  expectRefused("no frame 'sled'; frames there: cart");
+  expectRefused("topic '/poses': is not there; topics there: /tf", "/poses");
+}
+
+TEST_F(BagMotion, RefusesAnotherParent) {
+  write([](rosbag::Bag& bag) { bag.write("/tf", ros::Time(7), tf({transform(5.0, "map", "sled", 0.1)})); });
+  expectRefused("pose 1 is in frame 'map', expected 'world'");
+}
+
+TEST_F(BagMotion, RefusesTimesThatDoNotIncrease) {
+  write([](rosbag::Bag& bag) {
+    bag.write("/tf", ros::Time(7), tf({transform(5.0, "world", "sled", 0.1)}));
+    bag.write("/tf", ros::Time(8), tf({transform(5.0, "world", "sled", 0.2)}));
+  });
+  expectRefused("pose 2 is at 0 s, not after the one before at 0 s");
+}
+
+TEST_F(BagMotion, RefusesPosesThatAreNone) {
+  write([](rosbag::Bag& bag) {
+    geometry_msgs::TransformStamped zero = transform(5.0, "world", "sled", 0.1);
+    zero.transform.rotation.w = 0.0;
+    bag.write("/zero", ros::Time(7), zero);
+    geometry_msgs::TransformStamped nan = transform(5.0, "world", "sled", std::nan(""));
+    bag.write("/nan", ros::Time(7), nan);
+  });
+  expectRefused("pose 1: quaternion has norm 0", "/zero");
+  expectRefused("pose 1: position is not finite", "/nan");
+}
+
+TEST_F(BagMotion, RefusesOtherTypesAndOtherFiles) {
+  write([](rosbag::Bag& bag) { bag.write("/text", ros::Time(7), std_msgs::String()); });
+  expectRefused("is of type std_msgs/String, expected geometry_msgs/PoseStamped", "/text");
+  std::remove(path_.c_str());
+  expectRefused("bag '");
+}
+
+}  // namespace
+}  // namespace cable_variation_ros

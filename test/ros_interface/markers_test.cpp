@@ -1,0 +1,163 @@
+// Markers: cables true to size, clips told apart by kind, deletions of what is gone.
+#include <ros_interface/cable_markers.h>
+#include <ros_interface/clip_markers.h>
+#include <ros_interface/marker_channel.h>
+
+#include <gtest/gtest.h>
+
+#include <cable_variation/harness/equilibrium.h>
+
+namespace cable_variation_ros {
+namespace {
+
+using namespace cable_variation;
+using visualization_msgs::Marker;
+using visualization_msgs::MarkerArray;
+
+/// Clamped at both ends, 40 % longer than its span, thicker at its end.
+Harness sagging() {
+  const Material material{1e8, 0.25, 2000};
+  Harness harness;
+  harness.cables.resize(1);
+  harness.cables[0].name = "strand";
+  harness.cables[0].length = 0.28;
+  harness.cables[0].sections = {{0.0, solidSection(0.003, material)}, {0.28, solidSection(0.005, material)}};
+  Clip clip;
+  clip.name = "A";
+  clip.type = "fixed";
+  clip.constraint = fixedClip();
+  harness.clips.push_back(clip);
+  clip.name = "B";
+  clip.arc_length = 0.28;
+  clip.pose.position.x() = 0.2;
+  harness.clips.push_back(clip);
+  return harness;
+}
+
+class CableMarkers : public testing::Test {
+ protected:
+  Harness harness_ = sagging();
+  Equilibrium equilibrium_ = EquilibriumSolver().solve(harness_);
+};
+
+Eigen::Vector3d axisOf(const Marker& marker) {
+  const auto& q = marker.pose.orientation;
+  return Eigen::Quaterniond(q.w, q.x, q.y, q.z) * Eigen::Vector3d::UnitX();
+}
+
+Eigen::Vector3d startOf(const Marker& marker) {
+  return {marker.pose.position.x, marker.pose.position.y, marker.pose.position.z};
+}
+
+TEST_F(CableMarkers, SegmentsFollowTheCentrelineWithoutGapsAndWithItsThickness) {
+  ASSERT_TRUE(equilibrium_.converged()) << equilibrium_.message;
+  std::vector<Marker> segments;
+  for (const Marker& marker : cableMarkers(equilibrium_, harness_).markers) {
+    EXPECT_EQ(marker.ns, "cable/strand");
+    EXPECT_EQ(marker.header.frame_id, "world");
+    if (marker.type == Marker::MESH_RESOURCE) segments.push_back(marker);
+  }
+  ASSERT_GT(segments.size(), 20u);
+  EXPECT_LT(segments.size(), 400u);
+  EXPECT_EQ(startOf(segments.front()), equilibrium_.shapes[0].position(0.0));
+  for (std::size_t i = 1; i < segments.size(); ++i) {
+    const Marker& before = segments[i - 1];
+    const Eigen::Vector3d end = startOf(before) + before.scale.x * axisOf(before);
+    // The next one starts inside, a fraction of the radius from the end, and bends little.
+    EXPECT_LT((end - startOf(segments[i])).dot(axisOf(before)), 0.3 * before.scale.y);
+    EXPECT_GT((end - startOf(segments[i])).dot(axisOf(before)), 0.0);
+    EXPECT_GT(axisOf(before).dot(axisOf(segments[i])), std::cos(5.0 * M_PI / 180.0));
+    EXPECT_EQ(segments[i].scale.y, segments[i].scale.z);
+  }
+  EXPECT_NEAR(segments.front().scale.y, 0.003, 1e-4);
+  EXPECT_NEAR(segments.back().scale.y, 0.005, 1e-4);
+}
+
+TEST_F(CableMarkers, NoEquilibriumNoCable) {
+  equilibrium_.status = EquilibriumStatus::not_converged;
+  EXPECT_TRUE(cableMarkers(equilibrium_, harness_).markers.empty());
+}
+
+TEST_F(CableMarkers, IdsAreStable) {
+  const auto ids = [&] {
+    std::vector<std::pair<std::string, int>> all;
+    for (const Marker& marker : cableMarkers(equilibrium_, harness_).markers)
+      all.emplace_back(marker.ns, marker.id);
+    return all;
+  };
+  const auto first = ids();
+  EXPECT_EQ(first, ids());
+  EXPECT_EQ((std::set<std::pair<std::string, int>>(first.begin(), first.end()).size()), first.size());
+}
+
+/// Types and sizes of a clip's markers.
+std::string lookOf(const std::string& type, const ClipConstraint& constraint) {
+  Harness harness = sagging();
+  harness.clips.resize(1);
+  harness.clips[0].type = type;
+  harness.clips[0].constraint = constraint;
+  Equilibrium equilibrium;
+  equilibrium.status = EquilibriumStatus::converged;
+  equilibrium.clip_reactions.resize(1);
+  std::ostringstream look;
+  for (const Marker& marker : clipMarkers(equilibrium, harness).markers) {
+    EXPECT_EQ(marker.ns, "clip/A");
+    if (marker.type != Marker::TEXT_VIEW_FACING) {
+      look << marker.type << ' ' << marker.scale << marker.points.size() << ' ' << marker.pose << '\n';
+      EXPECT_LT(marker.color.r, 0.5f + std::max(marker.color.g, marker.color.b)) << "red is for interference";
+    } else {
+      EXPECT_EQ(marker.text, "A");
+    }
+  }
+  return look.str();
+}
+
+TEST(ClipMarkers, EachKindLooksDifferent) {
+  const std::vector<std::pair<std::string, ClipConstraint>> kinds = {
+      {"fixed", fixedClip()},
+      {"rolling", rollingClip()},
+      {"pivot", pivotClip()},
+      {"hinge", hingeClip(Axis::y)},
+      {"hinge", hingeClip(Axis::z)},
+      {"sliding", slidingClip()},
+      {"sliding_rolling", slidingRollingClip()},
+      {"eyelet", eyeletClip()},
+      {"guide", guideClip()},
+      {"plane", planeClip(Axis::z)},
+      {"plane", planeClip(Axis::y)},
+      {"grommet", grommetClip({1.0, 1.0, 1.0, 1.0})},
+      {"free", freeClip()},
+      {"general", fixedClip()}};
+  std::set<std::string> looks;
+  for (const auto& [type, constraint] : kinds) {
+    const std::string look = lookOf(type, constraint);
+    EXPECT_FALSE(look.empty()) << type;
+    EXPECT_TRUE(looks.insert(look).second) << type << " looks like another kind";
+  }
+}
+
+MarkerArray markersNamed(const std::vector<std::pair<std::string, int>>& names) {
+  MarkerArray array;
+  for (const auto& [name, id] : names) {
+    Marker marker;
+    marker.ns = name;
+    marker.id = id;
+    array.markers.push_back(marker);
+  }
+  return array;
+}
+
+TEST(Deletions, WhatIsGoneIsDeletedOnce) {
+  std::set<std::pair<std::string, int>> shown;
+  EXPECT_EQ(withDeletions(markersNamed({{"a", 0}, {"a", 1}, {"b", 0}}), shown).markers.size(), 3u);
+  const MarkerArray next = withDeletions(markersNamed({{"a", 0}}), shown);
+  ASSERT_EQ(next.markers.size(), 3u);
+  EXPECT_EQ(next.markers[0].action, Marker::ADD);
+  EXPECT_EQ(next.markers[1].ns + std::to_string(next.markers[1].id), "a1");
+  EXPECT_EQ(next.markers[1].action, Marker::DELETE);
+  EXPECT_EQ(next.markers[2].ns, "b");
+  EXPECT_EQ(withDeletions(markersNamed({{"a", 0}}), shown).markers.size(), 1u);
+}
+
+}  // namespace
+}  // namespace cable_variation_ros

@@ -1,0 +1,120 @@
+// Messages carry what the core's types hold, and bad poses do not get in.
+#include <ros_interface/message_conversion.h>
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace cable_variation_ros {
+namespace {
+
+using cable_variation::CableShape;
+using cable_variation::Equilibrium;
+using cable_variation::EquilibriumStatus;
+using cable_variation::Harness;
+using cable_variation::Pose;
+using cable_variation::ShapePoint;
+
+TEST(MessageConversion, APoseComesBackAsItWent) {
+  Pose pose;
+  pose.position = {0.1, -0.2, 0.3};
+  pose.orientation = Eigen::Quaterniond(Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()));
+  const Pose back = fromPose(toPose(pose), "pose");
+  EXPECT_EQ(back.position, pose.position);
+  EXPECT_LT(back.orientation.angularDistance(pose.orientation), 1e-12);
+  const geometry_msgs::TransformStamped transform = toTransform(pose, "parent", "child", ros::Time(3));
+  EXPECT_EQ(transform.header.frame_id, "parent");
+  EXPECT_EQ(transform.child_frame_id, "child");
+  EXPECT_EQ(fromTransform(transform.transform, "pose").position, pose.position);
+}
+
+TEST(MessageConversion, AQuaternionOfFewDigitsIsMadeAUnitOne) {
+  geometry_msgs::Pose message;
+  message.orientation.z = message.orientation.w = 0.7073;  // 0.03 % too long
+  EXPECT_NEAR(fromPose(message, "pose").orientation.norm(), 1.0, 1e-15);
+}
+
+TEST(MessageConversion, RefusesPosesThatAreNone) {
+  geometry_msgs::Pose pose;
+  EXPECT_THROW(fromPose(pose, "zero quaternion"), std::invalid_argument);
+  pose.orientation.w = 1.01;
+  EXPECT_THROW(fromPose(pose, "long quaternion"), std::invalid_argument);
+  pose.orientation.w = std::nan("");
+  EXPECT_THROW(fromPose(pose, "quaternion"), std::invalid_argument);
+  pose.orientation.w = 1.0;
+  pose.position.y = INFINITY;
+  EXPECT_THROW(fromPose(pose, "position"), std::invalid_argument);
+}
+
+/// A quarter circle of radius 0.2 m about z, its figures told apart by their values.
+Equilibrium quarterCircle() {
+  CableShape shape;
+  shape.cable = "bow";
+  shape.radius = 0.004;
+  for (int i = 0; i <= 10; ++i) {
+    const double angle = 0.05 * M_PI * i;
+    ShapePoint point;
+    point.arc_length = 0.2 * angle;
+    point.pose.position = 0.2 * Eigen::Vector3d(std::sin(angle), 1.0 - std::cos(angle), 0.0);
+    point.pose.orientation = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ());
+    point.tangent = point.pose.orientation * Eigen::Vector3d::UnitX();
+    point.bend = point.pose.orientation * Eigen::Vector3d(0.0, 5.0, 0.0);
+    point.force = {1.0, 2.0, i * 1.0};
+    point.moment = {4.0, 5.0, i * 2.0};
+    point.strain = {7.0, 8.0, i * 3.0};
+    point.curvature = {10.0, 11.0, i * 4.0};
+    shape.points.push_back(point);
+  }
+  Equilibrium equilibrium;
+  equilibrium.status = EquilibriumStatus::converged;
+  equilibrium.shapes = {shape};
+  equilibrium.clip_reactions.resize(1);
+  equilibrium.clip_reactions[0].name = "clip";
+  equilibrium.clip_reactions[0].force = {1.0, 2.0, 3.0};
+  equilibrium.clip_reactions[0].arc_length = 0.12;
+  equilibrium.energy = {1.0, 2.0, 4.0, 8.0};
+  equilibrium.alternatives = {{3.0, 0.5}};
+  return equilibrium;
+}
+
+Harness bowHarness() {
+  Harness harness;
+  harness.cables.resize(1);
+  harness.cables[0].name = "bow";
+  harness.cables[0].length = 0.1 * M_PI;
+  harness.clips.resize(1);
+  return harness;
+}
+
+TEST(MessageConversion, AnEquilibriumIsToldWhole) {
+  const cable_variation::SolveEquilibriumResponse response = toResponse(quarterCircle(), bowHarness());
+  ASSERT_EQ(response.shapes.size(), 1u);
+  const cable_variation::CableState& state = response.shapes[0];
+  EXPECT_EQ(state.cable, "bow");
+  EXPECT_EQ(state.length, 0.1 * M_PI);
+  EXPECT_NEAR(state.smallest_bend_radius, 0.2, 1e-12);
+  ASSERT_EQ(state.section.size(), 11u);
+  EXPECT_NEAR(state.section[10].position.x, 0.2, 1e-15);
+  EXPECT_EQ(state.force[3].z, 3.0);
+  EXPECT_EQ(state.moment[3].z, 6.0);
+  EXPECT_EQ(state.strain[3].z, 9.0);
+  EXPECT_EQ(state.curvature[3].z, 12.0);
+  ASSERT_EQ(response.clip_reactions.size(), 1u);
+  EXPECT_EQ(response.clip_reactions[0].clip, "clip");
+  EXPECT_EQ(response.clip_reactions[0].cable, "bow");
+  EXPECT_EQ(response.clip_reactions[0].force.z, 3.0);
+  EXPECT_EQ(response.clip_reactions[0].arc_length, 0.12);
+  EXPECT_EQ(response.energy.springs, 4.0);
+  EXPECT_EQ(response.energy.total, 15.0);
+  ASSERT_EQ(response.alternatives.size(), 1u);
+  EXPECT_EQ(response.alternatives[0].largest_distance, 0.5);
+}
+
+TEST(MessageConversion, AShapeThatIsNoEquilibriumIsNotTold) {
+  Equilibrium equilibrium = quarterCircle();
+  equilibrium.status = EquilibriumStatus::unstable;
+  EXPECT_TRUE(toCableShapes(equilibrium, bowHarness(), ros::Time()).cables.empty());
+}
+
+}  // namespace
+}  // namespace cable_variation_ros

@@ -1,0 +1,108 @@
+// Edits of a scene: what they change, what they leave, what they refuse.
+#include <cable_variation/scene/design.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include <gtest/gtest.h>
+
+namespace cable_variation {
+namespace {
+
+/// A cable between the world and a holder at x = 0.25 m that is turned by 90° about z.
+Design strand() {
+  const Material material{1e8, 0.25, 2000};
+  Scene scene;
+  Component holder;
+  holder.name = "holder";
+  holder.pose = {{0.25, 0.0, 0.0}, Eigen::Quaterniond(Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d::UnitZ()))};
+  scene.components = {holder};
+  Cable cable;
+  cable.name = "strand";
+  cable.length = 0.312;
+  cable.sections = {{0.0, solidSection(0.004, material)}};
+  scene.harness.cables = {cable};
+  Clip clip;
+  clip.name = "A";
+  clip.type = "fixed";
+  clip.constraint = fixedClip();
+  scene.harness.clips.push_back(clip);
+  clip.name = "B";
+  clip.arc_length = 0.3;
+  clip.pose = holder.pose;
+  scene.harness.clips.push_back(clip);
+  scene.clip_mounts = {{"world", Pose()}, {"holder", Pose()}};
+  DesignVariable length;
+  length.name = "length";
+  length.target = CableProperty{0, CableProperty::Property::length};
+  length.nominal = 0.312;
+  DesignVariable shift;
+  shift.name = "b_x";
+  shift.target = ClipTranslation{1, Axis::x};
+  scene.design_variables = {length, shift};
+  return {scene, {}};
+}
+
+Eigen::Vector3d positionOfB(const Design& design, const DesignValues& values = {}) {
+  return harnessAt(design, values).clips[1].pose.position;
+}
+
+TEST(Design, ANominalDeviationHoldsUntilAValueOverridesIt) {
+  Design design = strand();
+  setNominal(design, "b_x", 0.01);
+  EXPECT_EQ(design.scene.design_variables[1].nominal, 0.01);
+  // x of the clip is y of the world.
+  EXPECT_TRUE(positionOfB(design).isApprox(Eigen::Vector3d(0.25, 0.01, 0.0), 1e-12));
+  EXPECT_TRUE(positionOfB(design, {{"b_x", -0.02}}).isApprox(Eigen::Vector3d(0.25, -0.02, 0.0), 1e-12));
+}
+
+TEST(Design, ANominalQuantityAndTheEditOfItAreOne) {
+  Design design = strand();
+  setNominal(design, "length", 0.32);
+  EXPECT_EQ(harnessAt(design, {}).cables[0].length, 0.32);
+  setCableLength(design, "strand", 0.33);
+  EXPECT_EQ(harnessAt(design, {}).cables[0].length, 0.33);
+  EXPECT_EQ(design.scene.design_variables[0].nominal, 0.33);
+  EXPECT_EQ(harnessAt(design, {{"length", 0.34}}).cables[0].length, 0.34);
+}
+
+TEST(Design, ClipsMoveInTheirOwnAxesAndTheirComponents) {
+  Design design = strand();
+  moveClip(design, "B", {0.01, 0.0, 0.0}, {0.0, 0.0, M_PI / 2});
+  EXPECT_TRUE(positionOfB(design).isApprox(Eigen::Vector3d(0.25, 0.01, 0.0), 1e-12));
+  // Its x axis now looks back along the world's.
+  moveClip(design, "B", {0.05, 0.0, 0.0}, Eigen::Vector3d::Zero());
+  EXPECT_TRUE(positionOfB(design).isApprox(Eigen::Vector3d(0.20, 0.01, 0.0), 1e-12));
+  setClipPose(design, "B", {{0.0, 0.0, 0.03}, Eigen::Quaterniond::Identity()});
+  EXPECT_TRUE(positionOfB(design).isApprox(Eigen::Vector3d(0.25, 0.0, 0.03), 1e-12));
+}
+
+TEST(Design, AClipMovesAlongItsCable) {
+  Design design = strand();
+  setClipArcLength(design, "B", 0.29);
+  EXPECT_EQ(harnessAt(design, {}).clips[1].arc_length, 0.29);
+}
+
+TEST(Design, RefusedEditsChangeNothing) {
+  Design design = strand();
+  const double nan = std::nan("");
+  EXPECT_THROW(setNominal(design, "c_x", 0.0), std::invalid_argument);
+  EXPECT_THROW(setNominal(design, "b_x", nan), std::invalid_argument);
+  EXPECT_THROW(setNominal(design, "length", -1.0), std::invalid_argument);
+  EXPECT_THROW(setCableLength(design, "rope", 0.3), std::invalid_argument);
+  EXPECT_THROW(setCableLength(design, "strand", 0.0), std::invalid_argument);
+  EXPECT_THROW(setCableLength(design, "strand", 0.1), std::invalid_argument) << "clip B is at 0.3 m";
+  EXPECT_THROW(setClipArcLength(design, "B", 0.4), std::invalid_argument);
+  EXPECT_THROW(setClipPose(design, "Q", Pose()), std::invalid_argument);
+  EXPECT_THROW(setClipPose(design, "B", {{nan, 0.0, 0.0}, Eigen::Quaterniond::Identity()}),
+               std::invalid_argument);
+  EXPECT_THROW(setClipPose(design, "B", {{0.0, 0.0, 0.0}, Eigen::Quaterniond(2, 0, 0, 0)}),
+               std::invalid_argument);
+  EXPECT_THROW(moveClip(design, "B", {0.0, 0.0, 0.0}, {0.0, nan, 0.0}), std::invalid_argument);
+  EXPECT_EQ(harnessAt(design, {}).cables[0].length, 0.312);
+  EXPECT_EQ(harnessAt(design, {}).clips[1].arc_length, 0.3);
+  EXPECT_TRUE(positionOfB(design).isApprox(Eigen::Vector3d(0.25, 0.0, 0.0), 1e-12));
+}
+
+}  // namespace
+}  // namespace cable_variation
