@@ -9,27 +9,40 @@
 namespace cable_variation {
 namespace {
 
-TEST(BendRadius, OfAnEllipseIsAtItsTip) {
-  // (a cos t, b sin t) at unit speed of t: the radius of curvature is b²/a at t = 0, a²/b at a right angle.
-  const double a = 0.2, b = 0.1;
+/// (a cos t, b sin t) from `first` on, arc length standing for t: the radius of
+/// curvature is b²/a at t = 0, between the points if `first` is no whole step.
+CableShape ellipse(double a, double b, double first) {
   CableShape shape;
-  for (int i = -10; i <= 10; ++i) {
-    const double t = 0.05 * M_PI * i;
+  for (int i = 0; i <= 20; ++i) {
+    const double t = first + 0.05 * M_PI * i;
     ShapePoint point;
-    point.arc_length = t + 2.0;
+    point.arc_length = t;
+    point.pose.position = {a * std::cos(t), b * std::sin(t), 0.0};
     point.tangent = {-a * std::sin(t), b * std::cos(t), 0.0};
     point.bend = {-a * std::cos(t), -b * std::sin(t), 0.0};
     shape.points.push_back(point);
   }
-  const BendRadius bend = smallestBendRadius(shape);
-  EXPECT_NEAR(bend.radius, b * b / a, 1e-12);
-  EXPECT_NEAR(bend.arc_length, 2.0, 1e-12);
+  return shape;
+}
+
+TEST(BendRadius, OfAnEllipseIsAtItsTip) {
+  const BendRadius at_a_point = smallestBendRadius(ellipse(0.2, 0.1, -0.5 * M_PI));
+  EXPECT_NEAR(at_a_point.radius, 0.05, 1e-12);
+  EXPECT_NEAR(at_a_point.arc_length, 0.0, 1e-12);
+  const BendRadius between = smallestBendRadius(ellipse(0.2, 0.1, -0.525 * M_PI));
+  EXPECT_NEAR(between.radius, 0.05, 1e-5);  // the Hermite curve's own error, h⁴
+  EXPECT_NEAR(between.arc_length, 0.0, 1e-12);
 }
 
 TEST(BendRadius, OfAStraightCableIsInfinite) {
   CableShape shape;
   shape.points.resize(3);
-  for (ShapePoint& point : shape.points) point.tangent = Eigen::Vector3d::UnitX();
+  for (int i = 0; i < 3; ++i) {
+    ShapePoint& point = shape.points[static_cast<std::size_t>(i)];
+    point.arc_length = i;
+    point.pose.position.x() = i;
+    point.tangent = Eigen::Vector3d::UnitX();
+  }
   EXPECT_TRUE(std::isinf(smallestBendRadius(shape).radius));
 }
 
@@ -57,7 +70,7 @@ TEST(BendRadius, OfASolvedRollUpIsThatOfItsCircle) {
   EXPECT_NEAR(smallestBendRadius(equilibrium.shapes[0]).radius, 0.15, 1e-4);
 }
 
-TEST(BendRadius, NeedsPoints) { EXPECT_THROW(smallestBendRadius(CableShape()), std::invalid_argument); }
+TEST(BendRadius, NeedsTwoPoints) { EXPECT_THROW(smallestBendRadius(CableShape()), std::invalid_argument); }
 
 }  // namespace
 }  // namespace cable_variation

@@ -106,7 +106,9 @@ inline std::vector<NamedHarness> harnessPerClip() {
 /// A clamped trunk with a branch that hangs on it and is loaded at its end.
 inline Harness branched(Joint::Type type) {
   Harness harness = heldBetween(cableKinds()[1].cable, rollingClip());
-  harness.cables.push_back(uniformCable(0.12, hoseOfCaseH(), "branch"));
+  // neither round nor straight: a round branch would be free to roll in a pivot, a straight one to turn over
+  harness.cables.push_back(uniformCable(0.12, rectangleSection(0.012, 0.006, {6e6, 0.45, 1200.0}), "branch"));
+  harness.cables[1].rest_curvature = {{0.0, {1.0, 4.0, 2.0}}};
   Joint joint;
   joint.name = "breakout";
   joint.type = type;

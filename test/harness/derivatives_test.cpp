@@ -20,12 +20,13 @@ class AlongMotion {
 
   // Moves by `t` times the motion and evaluates there; returns the energy.
   double energyAt(double t) {
-    grid_.system.evaluate(grid_.configuration, false);  // move() takes its effects from here
+    grid_.system.evaluate(grid_.configuration,
+                          RodSystem::Hessian::none);  // move() takes its effects from here
     NodalField step = motion_;
     step.scale(t);
     Configuration there = grid_.configuration;
     grid_.system.move(step, there);
-    grid_.system.evaluate(there, false);
+    grid_.system.evaluate(there, RodSystem::Hessian::none);
     return grid_.system.energy().total();
   }
 
@@ -79,7 +80,7 @@ TEST_P(Derivatives, GradientIsTheSlopeOfTheEnergy) {
 }
 
 TEST_P(Derivatives, EveryUnknownHasItsOwnSlope) {
-  grid_->system.evaluate(grid_->configuration, false);
+  grid_->system.evaluate(grid_->configuration, RodSystem::Hessian::none);
   const Eigen::VectorXd gradient = grid_->system.gradient().unknowns;
   ASSERT_GT(gradient.size(), 0);
   for (Eigen::Index i = 0; i < gradient.size(); ++i) {
@@ -104,8 +105,8 @@ TEST_P(Derivatives, HessianIsTheSlopeOfTheGradient) {
   const auto metric = grid_->system.bendingMetric();
   for (int trial = 0; trial < 3; ++trial) {
     NodalField force = grid_->randomMotion(generator_, 1.0, 0.01);
-    grid_->system.evaluate(grid_->configuration, true);
-    grid_->system.factorise(0.0, metric);
+    grid_->system.evaluate(grid_->configuration, RodSystem::Hessian::exact);
+    grid_->system.factorise(0.0, metric, true);  // dead moments add a skew part
     NodalField motion;
     grid_->system.solve(force, motion);
     double size = 1e-300;

@@ -37,7 +37,7 @@ struct FixedGrid {
 
   /// A motion with every component random: displacements up to `shift` [m], turns up to `turn` [rad].
   NodalField randomMotion(std::mt19937& generator, double shift, double turn) {
-    system.evaluate(configuration, false);
+    system.evaluate(configuration, RodSystem::Hessian::none);
     std::uniform_real_distribution<double> uniform(-1.0, 1.0);
     NodalField motion = system.zeroField();
     for (Eigen::Index i = 0; i < motion.unknowns.size(); ++i) motion.unknowns[i] = shift * uniform(generator);

@@ -33,7 +33,7 @@ double straightEigenvalue(double angle) {
     span.positions[k] = {s, 0.0, 0.0};
     span.orientations[k] = so3::exp({angle * s / kLength, 0.0, 0.0});
   }
-  rod.system.evaluate(rod.configuration, true);
+  rod.system.evaluate(rod.configuration, RodSystem::Hessian::exact);
   EXPECT_LT(rod.system.residual(), 1e-3 * kGJ);  // straight is an equilibrium, up to discretisation
   return smallestEigenvalue(rod.system, rod.configuration);
 }
