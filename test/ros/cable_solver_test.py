@@ -57,7 +57,7 @@ class CableSolverTest(NodeTest):
     def test_following_gives_the_same_shape(self):
         cold = self.solve(variables=['b_z'], values=[0.004]).shapes[0]
         warm = self.solve(variables=['b_z'], values=[0.004], follow=True).shapes[0]
-        lowest = [min(point.position.z for point in shape.section) for shape in (cold, warm)]
+        lowest = [min(point.z for point in shape.centreline) for shape in (cold, warm)]
         self.assertAlmostEqual(lowest[0], lowest[1], delta=2e-4)
 
     def test_bad_requests_are_refused_by_name(self):

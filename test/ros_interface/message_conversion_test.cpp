@@ -59,6 +59,7 @@ Equilibrium quarterCircle() {
     point.pose.orientation = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ());
     point.tangent = point.pose.orientation * Eigen::Vector3d::UnitX();
     point.bend = point.pose.orientation * Eigen::Vector3d(0.0, 5.0, 0.0);
+    point.turn = {0.0, 0.0, 5.0};
     point.force = {1.0, 2.0, i * 1.0};
     point.moment = {4.0, 5.0, i * 2.0};
     point.strain = {7.0, 8.0, i * 3.0};
@@ -92,7 +93,11 @@ TEST(MessageConversion, AnEquilibriumIsToldWhole) {
   const cable_variation::CableState& state = response.shapes[0];
   EXPECT_EQ(state.cable, "bow");
   EXPECT_EQ(state.length, 0.1 * M_PI);
-  EXPECT_NEAR(state.smallest_bend_radius, 0.2, 1e-12);
+  EXPECT_NEAR(state.smallest_bend_radius, 0.2, 1e-5);
+  ASSERT_EQ(state.centreline.size(), 159u);  // 314 mm in steps of at most 2 mm
+  for (const geometry_msgs::Point& point : state.centreline) {
+    EXPECT_NEAR(std::hypot(point.x, point.y - 0.2), 0.2, 1e-6);
+  }
   ASSERT_EQ(state.section.size(), 11u);
   EXPECT_NEAR(state.section[10].position.x, 0.2, 1e-15);
   EXPECT_EQ(state.force[3].z, 3.0);
