@@ -36,11 +36,15 @@ Pose interpolate(const SpanConfiguration& span, const std::vector<double>& bound
 
 Grid startGrid(const Harness& harness, const Topology& topology) {
   constexpr double kElementsPerCable = 4.0;
+  // Turns about a straight centreline do not move it, so its error would not ask for more elements.
+  constexpr double kLargestTwist = 1.6;  // of an element [rad]: leaves 1e-5 of the torque
   Grid grid;
   for (const Span& span : topology.spans) {
+    const double twist = harness.cables[span.cable].twist.value_or(0.0);
+    const double elements = std::max(kElementsPerCable, std::abs(twist) / kLargestTwist);
     const double length = topology.stations[span.right].arc_length - topology.stations[span.left].arc_length;
     const double share = length / harness.cables[span.cable].length;
-    const int pairs = std::max(1, static_cast<int>(std::ceil(0.5 * kElementsPerCable * share - 1e-9)));
+    const int pairs = std::max(1, static_cast<int>(std::ceil(0.5 * elements * share - 1e-9)));
     std::vector<double> boundaries;
     for (int i = 0; i <= 2 * pairs; ++i) boundaries.push_back(0.5 * i / pairs);
     grid.push_back(boundaries);

@@ -5,7 +5,8 @@
 namespace cable_variation {
 
 /// The coarsest grid that is worth starting from: per span an even number of
-/// equal elements, more for a span that makes up much of its cable.
+/// equal elements, more for a span that makes up much of its cable, and for a twist
+/// that is asked for.
 Grid startGrid(const Harness& harness, const Topology& topology);
 
 /// Each pair of elements (2k, 2k + 1) of span i split into two pairs where marked[i][k].
