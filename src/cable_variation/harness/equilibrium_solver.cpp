@@ -1,16 +1,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
-#include <optional>
 #include <sstream>
 
 #include <cable_variation/harness/discretisation.h>
 #include <cable_variation/harness/equilibrium.h>
 #include <cable_variation/harness/equilibrium_result.h>
-#include <cable_variation/harness/grid.h>
 #include <cable_variation/harness/initial_shape.h>
-#include <cable_variation/harness/minimise.h>
+#include <cable_variation/harness/problem.h>
+#include <cable_variation/harness/start_search.h>
 #include <cable_variation/math/so3.h>
 
 namespace cable_variation {
@@ -20,51 +18,32 @@ using Clock = std::chrono::steady_clock;
 
 // More stretch than this is outside what a linear law and a real cable bear.
 constexpr double kLargestStretch = 0.05;
-// Shapes closer than this share of the harness's length are the same equilibrium.
-constexpr double kSameShape = 1e-3;
 // update() goes to its goal in pieces that turn no clip by more than this [rad].
 constexpr double kLargestPiece = 0.35;
 constexpr int kRefinements = 7;
 
-// A harness on a grid, and the shape it has there. Not movable: the system refers to its members.
-struct Problem {
-  Harness harness;
-  Topology topology;
-  std::unique_ptr<RodSystem> system;
-  std::unique_ptr<RodSystem> coarse;  // every pair of elements merged
-  Configuration configuration;
+double secondsSince(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
 
-  explicit Problem(const Harness& of) : harness(of), topology(makeTopology(of)) {}
-  Problem(const Problem& other)
-      : harness(other.harness), topology(other.topology), configuration(other.configuration) {
-    if (other.system) {
-      setGrid(other.system->grid());
-      system->evaluate(configuration, RodSystem::Hessian::exact);
-      system->factorise(kNeutralShift, system->bendingMetric());
-    }
+// The clips on their way from `from` to `to`.
+Harness between(const Harness& from, const Harness& to, double t) {
+  Harness harness = to;
+  for (std::size_t i = 0; i < to.clips.size(); ++i) {
+    Pose& pose = harness.clips[i].pose;
+    const Pose& start = from.clips[i].pose;
+    pose.position = (1.0 - t) * start.position + t * pose.position;
+    pose.orientation = start.orientation.slerp(t, pose.orientation);
   }
-  Problem& operator=(const Problem&) = delete;
+  return harness;
+}
 
-  void setGrid(const Grid& grid) {
-    system = std::make_unique<RodSystem>(harness, topology, grid);
-    coarse = std::make_unique<RodSystem>(harness, topology, coarsen(grid));
-  }
-
-  double length() const {
-    double sum = 0.0;
-    for (const Cable& cable : harness.cables) sum += cable.length;
-    return sum;
-  }
-};
-
-// A stationary shape that a start led to.
-struct Candidate {
-  bool stable = false;
-  Configuration configuration;
-  double energy = 0.0;
-  std::vector<double> interval_energy;
-  std::vector<Routing> routing;
-};
+// With dead moments scaled by `share`.
+Harness withMoments(const Harness& harness, double share) {
+  Harness scaled = harness;
+  for (PointLoad& load : scaled.loads) load.moment *= share;
+  return scaled;
+}
 
 }  // namespace
 
@@ -91,125 +70,72 @@ struct EquilibriumSolver::Impl {
   Equilibrium solve(const Harness& harness);
   Equilibrium update(const Harness& harness);
 
+  void find(const Harness& harness, Equilibrium& result);
   bool search(Equilibrium& result);
-  std::optional<Candidate> tryRouting(const InitialShape& initial, const std::vector<Routing>& routing,
-                                      Equilibrium& result);
-  void follow(const Harness& harness);
+  bool growMoments(const Harness& harness, Equilibrium& result);
+  bool descend(bool settle, Equilibrium& result);
+  void follow(const Harness& harness, Topology topology);
   bool adaptGrid(Equilibrium& result);
   void finish(Equilibrium& result);
 
   EquilibriumOptions options;
   std::unique_ptr<Problem> problem;
-  std::string failure;    // of the first start that led nowhere
-  bool unstable = false;  // no start led to a minimum: the shape at hand is merely stationary
+  bool unstable = false;  // the shape at hand is merely stationary
 };
 
-// From one start to a minimum on the current grid.
-std::optional<Candidate> EquilibriumSolver::Impl::tryRouting(const InitialShape& initial,
-                                                             const std::vector<Routing>& routing,
-                                                             Equilibrium& result) {
-  RodSystem& system = *problem->system;
-  Candidate candidate;
-  candidate.routing = routing;
-  candidate.configuration = initial.make(system.grid(), routing);
-  const Minimum minimum = minimise(system, candidate.configuration, {options.max_iterations, false, true});
+// From the shape at hand to a minimum near by, or with `settle` to the stationary shape near by.
+bool EquilibriumSolver::Impl::descend(bool settle, Equilibrium& result) {
+  const Minimum minimum =
+      minimise(*problem->system, problem->configuration, {options.max_iterations, settle, false});
   result.iterations += minimum.iterations;
   result.residual = minimum.residual;
-  if (!minimum.stationary) {
-    if (failure.empty()) {
-      failure = whereItFailed(problem->harness, problem->topology, system, candidate.configuration);
-    }
-    return std::nullopt;
-  }
-  candidate.stable = minimum.stable;
-  candidate.energy = system.energy().total();
-  for (const Interval& interval : initial.intervals()) {
-    double energy = 0.0;
-    for (std::size_t i : problem->topology.cable_spans[interval.cable]) {
-      const double s = problem->topology.stations[problem->topology.spans[i].left].arc_length;
-      if (s < interval.start - 1e-12 || s >= interval.end - 1e-12) continue;
-      for (std::size_t e = 0; e < system.elementCount(i); ++e) energy += system.elementEnergy(i, e);
-    }
-    candidate.interval_energy.push_back(energy);
-  }
-  return candidate;
+  if (settle) unstable = !minimum.stable;
+  return settle ? minimum.stationary : minimum.stable;
 }
 
-// Multi-start on the start grid: the natural routing; then every other bulge, for every second interval at
-// once, so that the effort stays linear in the size of the harness; then the best of each interval together.
+// The shape on the start grid; else says in the result why there is none.
 bool EquilibriumSolver::Impl::search(Equilibrium& result) {
   const InitialShape initial(problem->harness, problem->topology);
-  const auto& intervals = initial.intervals();
-  std::vector<Candidate> found;
-  std::optional<Candidate> saddle;
-  const std::vector<Routing> natural(intervals.size());
-  std::vector<Routing> best_routing = natural;
-  std::vector<double> best_energy(intervals.size(), std::numeric_limits<double>::infinity());
-  const double same = kSameShape * problem->length();
-  const Grid& grid = problem->system->grid();
-  const auto attempt = [&](const std::vector<Routing>& routing) {
-    std::optional<Candidate> candidate = tryRouting(initial, routing, result);
-    if (!candidate) return;
-    if (!candidate->stable) {
-      if (!saddle) saddle = std::move(candidate);
-      return;
-    }
-    for (std::size_t i = 0; i < intervals.size(); ++i) {
-      if (candidate->interval_energy[i] < best_energy[i]) {
-        best_energy[i] = candidate->interval_energy[i];
-        best_routing[i] = routing[i];
-      }
-    }
-    const bool known = std::any_of(found.begin(), found.end(), [&](const Candidate& other) {
-      return largestDistance(grid, other.configuration, grid, candidate->configuration) < same;
-    });
-    if (!known) found.push_back(std::move(*candidate));
-  };
-  attempt(natural);
-  const bool hinted =
-      std::any_of(intervals.begin(), intervals.end(), [](const Interval& i) { return i.hinted; });
-  if (options.multi_start) {
-    std::vector<Routing> others;
-    for (Routing::Bulge bulge :
-         {Routing::Bulge::down, Routing::Bulge::up, Routing::Bulge::left, Routing::Bulge::right}) {
-      others.push_back({bulge, 0});
-    }
-    others.push_back({Routing::Bulge::natural, 1});
-    others.push_back({Routing::Bulge::natural, -1});
-    for (const Routing& other : others) {
-      for (std::size_t parity = 0; parity < 2; ++parity) {
-        std::vector<Routing> routing = natural;
-        bool any = false;
-        for (std::size_t i = parity; i < intervals.size(); i += 2) {
-          if (intervals[i].hinted || (other.turns != 0 && !intervals[i].twistable)) continue;
-          routing[i] = other;
-          any = true;
-        }
-        if (any) attempt(routing);
-      }
-    }
-    const bool mixed = std::any_of(best_routing.begin(), best_routing.end(), [](const Routing& r) {
-      return r.bulge != Routing::Bulge::natural || r.turns != 0;
-    });
-    if (mixed && intervals.size() > 1) attempt(best_routing);
+  problem->configuration =
+      initial.make(problem->system->grid(), std::vector<Routing>(initial.intervals().size()));
+  const std::string reason =
+      unreachable(problem->harness, problem->topology, problem->configuration, kLargestStretch);
+  if (!reason.empty()) {
+    result.status = EquilibriumStatus::impossible;
+    result.message = reason;
+    return false;
   }
-  unstable = found.empty() && saddle;
-  if (unstable) problem->configuration = saddle->configuration;
-  if (found.empty()) return unstable;
-  // hints choose the natural start's shape, else the lowest energy
-  auto chosen = found.begin();
-  if (!hinted) {
-    chosen = std::min_element(found.begin(), found.end(),
-                              [](const Candidate& a, const Candidate& b) { return a.energy < b.energy; });
+  const SearchResult found = searchStarts(*problem, options, result);
+  unstable = !found.stable;
+  if (found.found) return true;
+  result.status = EquilibriumStatus::not_converged;
+  result.message = "no start led to an equilibrium: " + found.failure;
+  return false;
+}
+
+// Dead moments that have no potential: there is no energy to descend. The shape without them is followed
+// while they grow; it is stable as long as it passes no singular point.
+bool EquilibriumSolver::Impl::growMoments(const Harness& harness, Equilibrium& result) {
+  double turn = 0.0;  // that the moments may cause [rad]
+  for (const PointLoad& load : harness.loads) {
+    const Section section = sectionAt(harness.cables[load.cable], load.arc_length);
+    const double softest = std::min({section.EI_y, section.EI_z, section.GJ});
+    turn += load.moment.norm() * harness.cables[load.cable].length / softest;
   }
-  std::iter_swap(found.begin(), chosen);
-  problem->configuration = found.front().configuration;
-  for (std::size_t i = 1; i < found.size(); ++i) {
-    result.alternatives.push_back(
-        {found[i].energy, largestDistance(grid, found[i].configuration, grid, problem->configuration)});
+  const int pieces = std::max(1, static_cast<int>(std::ceil(turn / kLargestPiece)));
+  bool passed_singular = false;
+  for (int k = 1; k <= pieces; ++k) {
+    follow(withMoments(harness, static_cast<double>(k) / pieces), makeTopology(harness));
+    if (!descend(true, result)) {
+      result.status = EquilibriumStatus::not_converged;
+      result.message =
+          "the shape was lost while the dead moments grew: " +
+          whereItFailed(problem->harness, problem->topology, *problem->system, problem->configuration);
+      return false;
+    }
+    passed_singular = passed_singular || unstable;
   }
-  std::sort(result.alternatives.begin(), result.alternatives.end(),
-            [](const Alternative& a, const Alternative& b) { return a.energy < b.energy; });
+  unstable = passed_singular;
   return true;
 }
 
@@ -238,11 +164,7 @@ bool EquilibriumSolver::Impl::adaptGrid(Equilibrium& result) {
     problem->setGrid(refine(problem->system->grid(), marked));
     problem->configuration =
         onGrid(problem->topology, problem->configuration, shapes, problem->system->grid());
-    const Minimum minimum =
-        minimise(*problem->system, problem->configuration, {options.max_iterations, unstable, false});
-    result.iterations += minimum.iterations;
-    result.residual = minimum.residual;
-    if (unstable ? !minimum.stationary : !minimum.stable) return false;
+    if (!descend(unstable || !problem->system->conservative(), result)) return false;
   }
   return false;
 }
@@ -275,34 +197,13 @@ void EquilibriumSolver::Impl::finish(Equilibrium& result) {
   }
 }
 
-Equilibrium EquilibriumSolver::Impl::solve(const Harness& harness) {
-  const auto start = Clock::now();
-  Equilibrium result;
-  unstable = false;
-  failure.clear();
+void EquilibriumSolver::Impl::find(const Harness& harness, Equilibrium& result) {
   problem = std::make_unique<Problem>(harness);
   problem->setGrid(startGrid(problem->harness, problem->topology));
-  const auto done = [&] {
-    if (!result.converged()) problem.reset();
-    result.solve_time = std::chrono::duration<double>(Clock::now() - start).count();
-    return result;
-  };
-  {
-    const InitialShape initial(problem->harness, problem->topology);
-    const Configuration placed =
-        initial.make(problem->system->grid(), std::vector<Routing>(initial.intervals().size()));
-    const std::string reason = unreachable(problem->harness, problem->topology, placed, kLargestStretch);
-    if (!reason.empty()) {
-      result.status = EquilibriumStatus::impossible;
-      result.message = reason;
-      return done();
-    }
-  }
-  if (!search(result)) {
-    result.status = EquilibriumStatus::not_converged;
-    result.message = "no start led to an equilibrium: " + failure;
-    return done();
-  }
+  const bool conservative = problem->system->conservative();
+  if (!conservative) problem->harness = withMoments(harness, 0.0);
+  if (!search(result)) return;
+  if (!conservative && !growMoments(harness, result)) return;
   problem->system->evaluate(problem->configuration, RodSystem::Hessian::none);
   if (!adaptGrid(result)) {
     result.status = EquilibriumStatus::not_converged;
@@ -311,17 +212,24 @@ Equilibrium EquilibriumSolver::Impl::solve(const Harness& harness) {
          << " mm; estimated error " << 1e3 * result.discretisation_error << " mm; "
          << whereItFailed(problem->harness, problem->topology, *problem->system, problem->configuration);
     result.message = text.str();
-    return done();
+    return;
   }
   finish(result);
-  return done();
+}
+
+Equilibrium EquilibriumSolver::Impl::solve(const Harness& harness) {
+  const auto start = Clock::now();
+  Equilibrium result;
+  find(harness, result);
+  if (!result.converged()) problem.reset();
+  result.solve_time = secondsSince(start);
+  return result;
 }
 
 // Carries the shape along to the new harness, to first order.
-void EquilibriumSolver::Impl::follow(const Harness& harness) {
+void EquilibriumSolver::Impl::follow(const Harness& harness, Topology topology) {
   Configuration& configuration = problem->configuration;
-  const Configuration before = configuration;
-  Topology topology = makeTopology(harness);
+  const std::vector<StationConfiguration> before = configuration.stations;
   problem->harness = harness;
   problem->topology = std::move(topology);
   for (std::size_t i = 0; i < configuration.stations.size(); ++i) {
@@ -334,7 +242,7 @@ void EquilibriumSolver::Impl::follow(const Harness& harness) {
                                                    static_cast<Eigen::Index>(configuration.stations.size()));
   bool moved = false;
   for (std::size_t i = 0; i < configuration.stations.size(); ++i) {
-    const Pose& from = before.stations[i].pose;
+    const Pose& from = before[i].pose;
     const Pose& to = configuration.stations[i].pose;
     carried.col(static_cast<Eigen::Index>(i)) << to.position - from.position,
         so3::log(from.orientation.conjugate() * to.orientation);
@@ -350,41 +258,31 @@ void EquilibriumSolver::Impl::follow(const Harness& harness) {
 }
 
 Equilibrium EquilibriumSolver::Impl::update(const Harness& harness) {
-  if (!problem) return solve(harness);
-  if (!sameStructure(problem->harness, problem->topology, harness, makeTopology(harness)))
-    return solve(harness);
   const auto start = Clock::now();
-  Equilibrium result;
+  if (!problem || !problem->system->conservative()) return solve(harness);
+  Topology topology = makeTopology(harness);
+  if (!sameStructure(problem->harness, problem->topology, harness, topology)) return solve(harness);
   double turn = 0.0;
   for (std::size_t i = 0; i < harness.clips.size(); ++i) {
     const auto& from = problem->harness.clips[i].pose.orientation;
     turn = std::max(turn, from.angularDistance(harness.clips[i].pose.orientation));
   }
+  Equilibrium result;
   const int pieces = std::max(1, static_cast<int>(std::ceil(turn / kLargestPiece)));
-  const Harness origin = problem->harness;
-  for (int k = 1; k <= pieces; ++k) {
-    Harness step = harness;
-    const double t = static_cast<double>(k) / pieces;
-    for (std::size_t i = 0; k < pieces && i < harness.clips.size(); ++i) {
-      Pose& pose = step.clips[i].pose;
-      const Pose& from = origin.clips[i].pose;
-      pose.position = (1.0 - t) * from.position + t * pose.position;
-      pose.orientation = from.orientation.slerp(t, pose.orientation);
+  if (pieces > 1) {
+    const Harness origin = problem->harness;
+    for (int k = 1; k < pieces; ++k) {
+      follow(between(origin, harness, static_cast<double>(k) / pieces), topology);
+      if (!descend(false, result)) return solve(harness);  // the branch ends here
     }
-    follow(step);
-    const Minimum minimum =
-        minimise(*problem->system, problem->configuration, {options.max_iterations, unstable, false});
-    result.iterations += minimum.iterations;
-    result.residual = minimum.residual;
-    if (minimum.stable) continue;
-    return solve(harness);  // the branch ends here
   }
-  const std::string reason =
-      unreachable(problem->harness, problem->topology, problem->configuration, kLargestStretch);
-  if (!reason.empty() || !adaptGrid(result)) return solve(harness);
+  follow(harness, std::move(topology));
+  const bool reachable =
+      unreachable(problem->harness, problem->topology, problem->configuration, kLargestStretch).empty();
+  if (!reachable || !descend(false, result) || !adaptGrid(result)) return solve(harness);
   finish(result);
   if (!result.converged()) problem.reset();
-  result.solve_time = std::chrono::duration<double>(Clock::now() - start).count();
+  result.solve_time = secondsSince(start);
   return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <Eigen/Eigenvalues>
 
@@ -85,15 +86,13 @@ class Descent {
       if (!final) {
         tryStep(size);
       } else if (shift_ > kNeutralShift) {
-        const bool at_rest = system_.residual() <= 1e3 * tolerance();
-        if (at_rest && negative_seen_) {  // stationary, but a saddle
-          if (!leaveSaddle()) {
-            settle();
-            break;
-          }
-        } else {  // the step is small because of the shift
+        if (!smallest_shift_) {  // the step may be small because of the shift
           shift_ = kNeutralShift;
           evaluateExactly();
+          smallest_shift_ = true;
+        } else if (!leaveSaddle()) {
+          settle();
+          break;
         }
       } else if (finalStep()) {
         break;
@@ -113,9 +112,7 @@ class Descent {
 
   // Raises the shift until the shifted Hessian is positive definite.
   bool factorise() {
-    negative_seen_ = false;
     while (system_.factorise(shift_, metric_) > 0) {
-      negative_seen_ = true;
       shift_ = std::max(kFirstShift, shift_ * kShiftGrowth);
       if (shift_ > kLargestLmShift) return false;
       system_.evaluate(configuration_, predicted_ ? Hessian::predicted : Hessian::exact);
@@ -142,6 +139,7 @@ class Descent {
   }
 
   void tryStep(const StepSize& size) {
+    smallest_shift_ = false;
     const double limit = std::min(
         1.0, std::min(kLargestTurn / (size.turn + 1e-300), kLargestShift * length_ / (size.shift + 1e-300)));
     if (limit < 1.0) step_.scale(limit);
@@ -218,37 +216,27 @@ class Descent {
     result_.stable = result_.stationary && positive;
   }
 
+  // Off a stationary point with a negative pivot, along the motion of least stiffness, by an angle that is
+  // another one at every attempt. Whether the energy has fallen is judged a few steps later.
   bool leaveSaddle() {
-    if (++saddles_ > 20) return false;
-    NodalField direction;
-    system_.evaluate(configuration_, Hessian::exact);
-    smallestEigenvalue(system_, configuration_, &direction);
-    const StepSize size = sizeOf(direction);
-    system_.evaluate(configuration_, Hessian::none);
-    const double before = system_.energy().total();
-    Configuration best;
-    double lowest = before;
-    for (double turn : {0.02, -0.02, 0.1, -0.1, 0.4, -0.4}) {
-      NodalField push = direction;
-      push.scale(turn / std::max(size.turn, size.shift / length_ * 4.0));
-      Configuration trial = configuration_;
-      const double work = system_.move(push, trial);
-      if (!system_.arcLengthsInOrder(trial)) continue;
-      system_.evaluate(trial, Hessian::none);
-      const double energy = system_.energy().total() - work;
-      if (energy < lowest) {
-        lowest = energy;
-        best = trial;
-      }
-      system_.evaluate(configuration_, Hessian::none);
-    }
-    if (!(lowest < before)) return false;
-    configuration_ = best;
-    lowest_ = {best, lowest};
-    climbed_ = 0.0;
-    steps_above_ = 0;
-    shift_ = kFirstShift;
+    constexpr double kPushes[] = {0.05, -0.05, 0.2, -0.2, 0.5, -0.5, 0.01, -0.01};  // [rad]
+    if (saddles_ == std::size(kPushes)) return false;
+    NodalField push;
     evaluateExactly();
+    smallestEigenvalue(system_, configuration_, &push);
+    const StepSize size = sizeOf(push);
+    push.scale(kPushes[saddles_++] / std::max(size.turn, 4.0 * size.shift / length_));
+    evaluateExactly();
+    lowest_ = {configuration_, system_.energy().total()};
+    system_.predictStress(push);
+    const double work = system_.move(push, configuration_);
+    if (!system_.arcLengthsInOrder(configuration_)) return false;
+    system_.evaluate(configuration_, Hessian::predicted);
+    predicted_ = true;
+    climbed_ = system_.energy().total() - lowest_.energy - work;
+    steps_above_ = 0;
+    smallest_shift_ = false;
+    shift_ = kFirstShift;
     return true;
   }
 
@@ -269,9 +257,9 @@ class Descent {
   Minimum result_;
   double length_ = 0.0;
   double shift_ = kNeutralShift;
-  bool negative_seen_ = false;
   int final_steps_ = 0;
-  int saddles_ = 0;
+  std::size_t saddles_ = 0;
+  bool smallest_shift_ = false;  // the shift is no larger than the Hessian's inertia asks for
 };
 
 }  // namespace

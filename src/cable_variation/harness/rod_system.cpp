@@ -71,8 +71,6 @@ void RodSystem::harnessChanged() {
   profiles_.clear();
   for (const Cable& cable : harness_.cables) profiles_.emplace_back(cable);
   for (SpanData& data : spans_) data.left_arc_length = data.right_arc_length = -1.0;
-  has_dead_moments_ = std::any_of(harness_.loads.begin(), harness_.loads.end(),
-                                  [](const PointLoad& load) { return !load.moment.isZero(0.0); });
 }
 
 RodSystem::~RodSystem() = default;
@@ -361,6 +359,16 @@ NodalField RodSystem::zeroField() const {
     field.spans.push_back(Eigen::Matrix<double, 6, Eigen::Dynamic>::Zero(6, nodes.cols()));
   }
   return field;
+}
+
+bool RodSystem::conservative() const {
+  for (std::size_t i = 0; i < topology_.stations.size(); ++i) {
+    const bool loaded =
+        std::any_of(topology_.stations[i].loads.begin(), topology_.stations[i].loads.end(),
+                    [&](std::size_t load) { return !harness_.loads[load].moment.isZero(0.0); });
+    if (loaded && unknowns_.rotations(i) > 1) return false;
+  }
+  return true;
 }
 
 bool RodSystem::arcLengthsInOrder(const Configuration& configuration) const {

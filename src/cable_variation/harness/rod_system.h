@@ -78,9 +78,10 @@ class RodSystem {
   /// Factorises Hessian + shift × metric, after evaluate() with a Hessian; once per evaluation. Returns the
   /// number of pivots that are not positive: none for a minimum.
   ///
-  /// Dead moments have no potential, their stiffness has a skew part. It is taken into account among the
-  /// stations' unknowns, where instead of negative pivots the eigenvalues with a real part that is not
-  /// positive are counted, unless only the symmetric part is asked for.
+  /// A dead moment on a section that turns about more than one axis has no potential, its stiffness has a
+  /// skew part. It is taken into account among the stations' unknowns unless only the symmetric part is asked
+  /// for. Then not the pivots are counted but whether the determinant is negative (1) or not (0): along a
+  /// growing load it changes its sign where the equilibrium diverges.
   int factorise(double shift, const std::vector<Metric>& metric, bool symmetric = false);
 
   /// Solves with the factorised matrix. Held stations do not move.
@@ -88,6 +89,9 @@ class RodSystem {
   /// The first-order motion of everything when stations are carried along by
   /// `carried` (6 × stations), other forces being absent.
   void follow(const Eigen::Matrix<double, 6, Eigen::Dynamic>& carried, NodalField& motion);
+
+  /// Whether all loads have a potential: no dead moment on a section that turns about more than one axis.
+  bool conservative() const;
 
   /// Metric times motion.
   void applyMetric(const std::vector<Metric>& metric, const NodalField& motion, NodalField& result) const;
@@ -149,7 +153,6 @@ class RodSystem {
   EnergyTerms energy_;
   NodalField gradient_;
   bool has_slides_ = false;
-  bool has_dead_moments_ = false;
 };
 
 }  // namespace cable_variation

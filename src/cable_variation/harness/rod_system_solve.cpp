@@ -27,7 +27,7 @@ int RodSystem::StationSolver::factorise(int count) {
       for (const auto& entry : *part) dense(entry.row(), entry.col()) += entry.value();
     }
     unsymmetric_factor.compute(dense);
-    return static_cast<int>((dense.eigenvalues().real().array() <= 0.0).count());
+    return unsymmetric_factor.determinant() > 0.0 ? 0 : 1;
   }
   if (count <= kDense) {
     dense.setZero(count, count);
@@ -109,7 +109,8 @@ int RodSystem::factorise(double shift, const std::vector<Metric>& metric, bool s
     }
   }
   assembleStations(symmetric);
-  return negative + stations_->factorise(unknowns_.count());
+  const int of_stations = stations_->factorise(unknowns_.count());
+  return stations_->moment_entries.empty() ? negative + of_stations : (negative + of_stations) % 2;
 }
 
 void RodSystem::reduceSpan(std::size_t index, int& negative) {
@@ -190,7 +191,7 @@ void RodSystem::assembleStations(bool symmetric) {
 
   auto& moments = stations_->moment_entries;
   moments.clear();
-  if (symmetric || !has_dead_moments_) return;
+  if (symmetric || conservative()) return;
   for (std::size_t i = 0; i < effects_.size(); ++i) {
     for (const UnknownEffect& r : effects_[i]) {
       for (const UnknownEffect& c : effects_[i]) {

@@ -50,6 +50,12 @@ StationUnknowns::StationUnknowns(const Harness& harness, const Topology& topolog
       return std::all_of(std::begin(unknowns), std::end(unknowns), [](int u) { return u < 0; });
     };
     const auto& parent = topology.stations[i].parent;
+    layout.rotations = static_cast<int>(std::count_if(std::begin(layout.rotation), std::end(layout.rotation),
+                                                      [](int u) { return u >= 0; })) +
+                       (layout.hinge >= 0 ? 1 : 0);
+    const auto& joint = topology.stations[i].joint;
+    if (joint && harness.joints[*joint].type != Joint::Type::pivot)
+      layout.rotations += layout_[*parent].rotations;
     layout.held = none(layout.translation) && none(layout.rotation) && layout.hinge < 0 &&
                   (!parent || layout_[*parent].held);
   }

@@ -31,6 +31,8 @@ class StationUnknowns {
   int count() const { return count_; }
   /// The unknown for the slid arc length of a station, or -1.
   int slide(std::size_t station) const { return layout_[station].slide; }
+  /// How many unknowns turn the station.
+  int rotations(std::size_t station) const { return layout_[station].rotations; }
   /// Whether nothing about the station's pose is unknown.
   bool isHeld(std::size_t station) const { return layout_[station].held; }
   /// The station whose length scale an unknown has, for regularisation.
@@ -64,6 +66,7 @@ class StationUnknowns {
     bool rotation_vector = false;  ///< components of the rotation vector, not increments
     int hinge = -1;
     int slide = -1;
+    int rotations = 0;
     bool held = false;
   };
 
