@@ -15,6 +15,10 @@ constexpr double kShiftGrowth = 8.0;
 constexpr double kFirstShift = 0.1;
 constexpr int kLongestClimb = 8;         // steps in a row without a new lowest energy
 constexpr double kSmallestShift = 1e-3;  // below it, none
+constexpr double kSmallTurn = 1e-2;      // of a step close to rest [rad]
+constexpr double kGentleGrowth = 100.0;
+constexpr double kLargestNeutralShift = 2e-5;
+constexpr int kFinalSteps = 4;
 constexpr double kLargestLmShift = 1e12;
 // A full Newton step below this, relative to length and in radians, leaves an error near its square.
 constexpr double kFinalStep = 1e-6;
@@ -85,7 +89,7 @@ class Descent {
       const bool final = size.shift < kFinalStep * length_ && size.turn < kFinalStep;
       if (!final) {
         tryStep(size);
-      } else if (shift_ > kNeutralShift) {
+      } else if (shift_ > kLargestNeutralShift) {
         if (!smallest_shift_) {  // the step may be small because of the shift
           shift_ = kNeutralShift;
           evaluateExactly();
@@ -113,7 +117,10 @@ class Descent {
   // Raises the shift until the shifted Hessian is positive definite.
   bool factorise() {
     while (system_.factorise(shift_, metric_) > 0) {
-      shift_ = std::max(kFirstShift, shift_ * kShiftGrowth);
+      // close to rest a negative pivot may be that of a neutral motion, off zero by what is left of the
+      // residual
+      const bool gently = last_turn_ < kSmallTurn && shift_ < kSmallestShift;
+      shift_ = gently ? kGentleGrowth * shift_ : std::max(kFirstShift, shift_ * kShiftGrowth);
       if (shift_ > kLargestLmShift) return false;
       system_.evaluate(configuration_, predicted_ ? Hessian::predicted : Hessian::exact);
     }
@@ -126,20 +133,28 @@ class Descent {
     return std::max(20.0 * system_.residualNoise(), 1e-10 * force);
   }
 
-  // A full Newton step so small that it ends the iteration, unless the residual says otherwise.
+  // A full Newton step so small that it ends the iteration, unless the residual or a negative pivot says
+  // otherwise.
   bool finalStep() {
     system_.move(step_, configuration_);
     system_.evaluate(configuration_, Hessian::none);
-    if (system_.residual() <= tolerance() || ++final_steps_ > 4) {
-      result_.stationary = result_.stable = system_.residual() <= 1e3 * tolerance();
-      return true;
+    if (system_.residual() > tolerance() && ++final_steps_ <= kFinalSteps) {
+      evaluateExactly();
+      return false;
     }
+    result_.stationary = result_.stable = system_.residual() <= 1e3 * tolerance();
+    if (!result_.stationary || shift_ == kNeutralShift) return true;
     evaluateExactly();
-    return false;
+    const bool saddle = system_.factorise(kGentleGrowth * kNeutralShift, metric_) > 0;
+    if (saddle && leaveSaddle()) return false;
+    system_.evaluate(configuration_, Hessian::none);
+    result_.stable = !saddle;
+    return true;
   }
 
   void tryStep(const StepSize& size) {
     smallest_shift_ = false;
+    last_turn_ = size.turn;
     const double limit = std::min(
         1.0, std::min(kLargestTurn / (size.turn + 1e-300), kLargestShift * length_ / (size.shift + 1e-300)));
     if (limit < 1.0) step_.scale(limit);
@@ -252,6 +267,7 @@ class Descent {
   double climbed_ = 0.0;  // energy above the lowest, dead moments' work taken off [J]
   int steps_above_ = 0;
   bool predicted_ = false;
+  double last_turn_ = INFINITY;  // of the last step [rad]
   std::vector<RodSystem::Metric> metric_;
   NodalField step_;
   Minimum result_;
