@@ -14,8 +14,8 @@ DiscretisationError estimateDiscretisation(const RodSystem& fine, RodSystem& coa
   constexpr double kOrderThree = 7.0;
   constexpr double kAsymptotic = 2e-4;  // of the length: above it the order cannot be counted on
   // Away from its own equilibrium the coarse grid's stiffness against a neutral motion is not zero, but small
-  // of either sign.
-  constexpr double kShift = 1e-5;
+  // of either sign: up to this share of the bending stiffness.
+  constexpr double kLargestShift = 1e-2;
   DiscretisationError error;
   coarse.evaluate(on_coarse, RodSystem::Hessian::exact);
   for (std::size_t i = 0; i < coarse.grid().size(); ++i) {
@@ -25,9 +25,14 @@ DiscretisationError estimateDiscretisation(const RodSystem& fine, RodSystem& coa
       error.contribution.back().push_back(std::abs(coarse.elementEnergy(i, k) - halves));
     }
   }
-  if (coarse.factorise(kShift, coarse.bendingMetric()) > 0 && stable) {
-    error.centreline = std::numeric_limits<double>::infinity();
-    return error;
+  double shift = kNeutralShift;
+  while (coarse.factorise(shift, coarse.bendingMetric()) > 0 && stable) {
+    shift *= 100.0;
+    if (shift > kLargestShift) {
+      error.centreline = std::numeric_limits<double>::infinity();
+      return error;
+    }
+    coarse.evaluate(on_coarse, RodSystem::Hessian::exact);
   }
   NodalField force = coarse.gradient();
   force.scale(-1.0);
