@@ -54,7 +54,6 @@ RodSystem::RodSystem(const Harness& harness, const Topology& topology, const Gri
     data.near_held = left_held || right_held;
     data.slides = unknowns_.slide(span.left) >= 0 || unknowns_.slide(span.right) >= 0;
     has_slides_ = has_slides_ || data.slides;
-    data.chain_elements.resize(data.elements);
     data.nodes.resize(6, static_cast<Eigen::Index>(data.elements) + 1);
     gradient_.spans[i].setZero(6, 3 * static_cast<Eigen::Index>(data.elements) + 1);
   }

@@ -32,7 +32,6 @@ struct RodSystem::SpanData {
   double radius = 0.0;                                   ///< largest [m]
   double stretch_stiffness = 0.0;                        ///< largest EA [N]
   SpanChain chain;
-  std::vector<ChainElement> chain_elements;
   Matrix14d reduced;  ///< left, right, arc lengths of left and right
   Eigen::Vector2d slide_gradient;
   Eigen::Matrix2d slide_second;

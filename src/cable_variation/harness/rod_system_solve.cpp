@@ -118,13 +118,12 @@ void RodSystem::reduceSpan(std::size_t index, int& negative) {
   Eigen::Matrix2d slide_slide = data.slide_second;
   const int near = data.reversed ? kInner + 6 : kInner;
   const int far = data.reversed ? kInner : kInner + 6;
-  for (std::size_t j = 0; j < data.elements; ++j) {
+  const auto fill = [&](std::size_t j, ChainElement& element) {
     const Element at = elementOf(index, data.reversed ? data.elements - 1 - j : j);
     const Batch& batch = batches_[at.batch];
     const auto entry = [&](int row, int column) {
       return batch.factor.matrix[row >= column ? packed(row, column) : packed(column, row)][at.lane];
     };
-    ChainElement& element = data.chain_elements[j];
     for (int c = 0; c < 6; ++c) {
       for (int r = 0; r < 6; ++r) {
         element.near_near(r, c) = entry(near + r, near + c);
@@ -132,7 +131,7 @@ void RodSystem::reduceSpan(std::size_t index, int& negative) {
         element.far_far(r, c) = entry(far + r, far + c);
       }
     }
-    if (!data.slides) continue;
+    if (!data.slides) return;
     for (int side = 0; side < 2; ++side) {
       for (int r = 0; r < 6; ++r) {
         element.near_slide(r, side) = batch.slide[side][near + r][at.lane];
@@ -143,8 +142,8 @@ void RodSystem::reduceSpan(std::size_t index, int& negative) {
       const Eigen::Vector2d row(batch.slide[0][k][at.lane], batch.slide[1][k][at.lane]);
       slide_slide -= batch.factor.inverse_pivot[k][at.lane] * row * row.transpose();
     }
-  }
-  negative += data.chain.factorise(data.chain_elements, {data.near_held, data.slides});
+  };
+  negative += data.chain.factorise(data.elements, fill, {data.near_held, data.slides});
   const Matrix14d& m = data.chain.reduced();
   data.reduced = m;
   if (data.reversed) {

@@ -18,21 +18,22 @@ int Ldlt6::compute(const Matrix6d& matrix) {
   return negative;
 }
 
-int SpanChain::factorise(const std::vector<ChainElement>& elements, const Options& options) {
+int SpanChain::factorise(std::size_t count, const ElementSource& source, const Options& options) {
   options_ = options;
-  const std::size_t count = elements.size();
+  ChainElement next;
+  source(0, next);
   nodes_.resize(count - 1);
   int negative = 0;
 
-  Matrix6d near_near = elements.front().near_near;
-  Matrix6d diagonal = elements.front().far_far;     // of the node at hand
-  Matrix6d to_near = elements.front().far_near;     // node at hand × near end
-  Matrix62d to_slide = elements.front().far_slide;  // node at hand × slides
-  Matrix62d near_slide = elements.front().near_slide;
+  Matrix6d near_near = next.near_near;
+  Matrix6d diagonal = next.far_far;     // of the node at hand
+  Matrix6d to_near = next.far_near;     // node at hand × near end
+  Matrix62d to_slide = next.far_slide;  // node at hand × slides
+  Matrix62d near_slide = next.near_slide;
   Eigen::Matrix2d slide_slide = Eigen::Matrix2d::Zero();
 
   for (std::size_t i = 1; i < count; ++i) {
-    const ChainElement& next = elements[i];
+    source(i, next);
     Node& node = nodes_[i - 1];
     negative += node.pivot.compute(diagonal + next.near_near);
     node.to_far = next.far_near;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -53,8 +54,11 @@ class SpanChain {
     bool slides = false;
   };
 
+  /// Fills in an element, counted from the near end.
+  using ElementSource = std::function<void(std::size_t index, ChainElement& element)>;
+
   /// Returns the number of pivots that are not positive.
-  int factorise(const std::vector<ChainElement>& elements, const Options& options);
+  int factorise(std::size_t count, const ElementSource& source, const Options& options);
 
   /// What is left: order near 6, far 6, arc length of the left and the right
   /// station. The (slide, slide) part is only what the elimination subtracts.
