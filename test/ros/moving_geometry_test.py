@@ -56,6 +56,7 @@ class MovingGeometryTest(NodeTest):
 
     def test_without_loop_it_stays_at_the_end(self):
         self.assertTrue(self.service('/moving_once/play', SetBool)(True).success)
+        rospy.sleep(1.0)  # at the end, play starts again: 3 s at ten times the speed
         self.eventually(lambda: abs(self.transform('once_world', 'once').translation.y - 0.2) < 1e-12, 'the end')
         rospy.sleep(0.3)
         self.assertAlmostEqual(self.transform('once_world', 'once').translation.y, 0.2)
