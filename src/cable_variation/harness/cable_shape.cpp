@@ -26,18 +26,6 @@ Piece pieceAt(const CableShape& shape, double arc_length) {
   return {a, b, std::clamp((arc_length - a.arc_length) / (b.arc_length - a.arc_length), 0.0, 1.0)};
 }
 
-// Quintic Hermite: value, first and second derivative at both ends.
-Eigen::Vector3d quintic(const Piece& piece) {
-  const double h = piece.b.arc_length - piece.a.arc_length;
-  const double t = piece.t;
-  const double t2 = t * t, t3 = t2 * t, t4 = t3 * t, t5 = t4 * t;
-  return (1.0 - 10.0 * t3 + 15.0 * t4 - 6.0 * t5) * piece.a.pose.position +
-         (10.0 * t3 - 15.0 * t4 + 6.0 * t5) * piece.b.pose.position +
-         h * ((t - 6.0 * t3 + 8.0 * t4 - 3.0 * t5) * piece.a.tangent +
-              (-4.0 * t3 + 7.0 * t4 - 3.0 * t5) * piece.b.tangent) +
-         0.5 * h * h * ((t2 - 3.0 * t3 + 3.0 * t4 - t5) * piece.a.bend + (t3 - 2.0 * t4 + t5) * piece.b.bend);
-}
-
 // Cubic Hermite in the rotation vector from the piece's start.
 Eigen::Quaterniond orientation(const Piece& piece) {
   const double h = piece.b.arc_length - piece.a.arc_length;
@@ -52,11 +40,20 @@ Eigen::Quaterniond orientation(const Piece& piece) {
 
 }  // namespace
 
-Eigen::Vector3d CableShape::position(double arc_length) const { return quintic(pieceAt(*this, arc_length)); }
+CurvePiece curveBetween(const ShapePoint& a, const ShapePoint& b) {
+  return {{a.pose.position, a.tangent, a.bend},
+          {b.pose.position, b.tangent, b.bend},
+          b.arc_length - a.arc_length};
+}
+
+Eigen::Vector3d CableShape::position(double arc_length) const {
+  const Piece piece = pieceAt(*this, arc_length);
+  return curveBetween(piece.a, piece.b).position(piece.t);
+}
 
 Pose CableShape::pose(double arc_length) const {
   const Piece piece = pieceAt(*this, arc_length);
-  return {quintic(piece), orientation(piece)};
+  return {curveBetween(piece.a, piece.b).position(piece.t), orientation(piece)};
 }
 
 std::vector<Pose> CableShape::sample(std::size_t count) const {

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include <cable_variation/harness/harness.h>
+#include <cable_variation/harness/sensitivity.h>
+#include <cable_variation/math/curve_piece.h>
 
 namespace cable_variation {
 
@@ -38,6 +40,9 @@ struct CableShape {
   /// `count` >= 2 poses at equal steps of arc length, ends included.
   std::vector<Pose> sample(std::size_t count) const;
 };
+
+/// The centreline between two neighbouring points of a shape, a before b.
+CurvePiece curveBetween(const ShapePoint& a, const ShapePoint& b);
 
 /// What a clip or joint does to the cable it holds.
 struct Reaction {
@@ -122,6 +127,16 @@ class EquilibriumSolver {
   /// From the shape of the last converged call, for a harness that differs from
   /// it in numbers only (poses, lengths, stiffness, loads); else as solve().
   Equilibrium update(const Harness& harness);
+
+  /// How the equilibrium of the last converged call changes with variables of the
+  /// harness, to first order: exact derivatives of the discrete equilibrium, by
+  /// implicit differentiation with one factorisation for all. Throws
+  /// std::logic_error when there is no such equilibrium.
+  std::vector<EquilibriumRate> differentiate(const std::vector<HarnessRate>& variables);
+
+  /// Derivatives of the smallest eigenvalue, one per variable [N/m per unit], valid
+  /// while it is simple. As differentiate().
+  std::vector<double> eigenvalueRates(const std::vector<HarnessRate>& variables);
 
  private:
   struct Impl;

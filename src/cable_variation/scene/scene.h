@@ -9,7 +9,9 @@
 #include <cable_variation/geometry/triangle_mesh.h>
 #include <cable_variation/harness/harness.h>
 #include <cable_variation/math/pose.h>
+#include <cable_variation/scene/measure.h>
 #include <cable_variation/scene/motion.h>
+#include <cable_variation/scene/tolerance_region.h>
 
 namespace cable_variation {
 
@@ -105,6 +107,9 @@ struct Scene {
   Harness harness;  ///< clip poses resolved to the world at the scene's own component poses
   std::vector<ClipMount> clip_mounts;  ///< one per harness clip
   std::vector<DesignVariable> design_variables;
+  std::vector<ToleranceRegion> tolerance_regions;
+  std::vector<Correlation> correlations;
+  std::vector<Measure> measures;
   std::vector<Motion> motions;
 };
 

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include <cable_variation/geometry/centreline.h>
+#include <cable_variation/geometry/triangle_mesh.h>
+#include <cable_variation/math/pose.h>
+
+namespace cable_variation {
+
+/// Two closest places of a cable and of what it is measured against.
+struct ClosestPair {
+  enum class Contact {
+    clear,    ///< the value is the distance between the surfaces
+    overlap,  ///< the cable's surface enters, its centreline does not: minus the depth
+    pierced   ///< the centreline itself enters or lies inside; see distance()
+  };
+  double distance = 0.0;  ///< [m] between the surfaces, negative: overlap
+  Contact contact = Contact::clear;
+  Centreline::Place place;                       ///< on the cable
+  Eigen::Vector3d on_cable;                      ///< on the centreline [m, world]
+  Eigen::Vector3d on_other;                      ///< on the part, or on the other centreline [m, world]
+  Eigen::Vector3d direction;                     ///< unit: ∂distance/∂on_cable = -∂distance/∂on_other
+  std::optional<Centreline::Place> other_place;  ///< between cables
+  std::size_t triangle = 0;                      ///< of the part
+  double runner_up = 0.0;  ///< the next smallest local minimum, at another place [m]; infinity: none
+                           ///< within the margin asked for
+};
+
+/// Sections of a cable that do not count, as arc lengths [m].
+struct SkippedStretch {
+  double start = 0.0, end = 0.0;
+};
+
+/// A rigid part made ready for distance queries: a bounding volume hierarchy,
+/// and which of its shells are closed. Immutable; may be shared by threads.
+class DistancePart {
+ public:
+  /// Throws std::invalid_argument for a mesh without triangles.
+  explicit DistancePart(const TriangleMesh& mesh);
+  ~DistancePart();
+  DistancePart(DistancePart&&) noexcept;
+  DistancePart& operator=(DistancePart&&) noexcept;
+
+  struct Impl;
+  const Impl& impl() const { return *impl_; }
+
+ private:
+  std::unique_ptr<Impl> impl_;
+};
+
+/// The closest pair of a cable and a part at `pose` (world), exact to 1e-7 m for
+/// any size and placement of the triangles. Where the centreline pierces the
+/// part or lies inside one of its closed shells the value is minus the depth of
+/// its deepest point below the surface, minus the radius there; where it pierces
+/// an open surface it is minus the radius. `hint`: a pair found before, of a
+/// similar placement; it makes the search faster and changes nothing else.
+/// Local minima within `margin` [m] of the smallest are looked for (runner_up).
+/// None when all of the cable is skipped.
+std::optional<ClosestPair> distance(const Centreline& cable, const DistancePart& part, const Pose& pose,
+                                    const std::vector<SkippedStretch>& skipped = {}, double margin = 1e-5,
+                                    const ClosestPair* hint = nullptr);
+
+/// The closest pair of two cables. Where centrelines are closer than the sum of
+/// the radii the value is negative (overlap). Pairs for which `counts` is false do not
+/// count.
+/// @param joined arc lengths of the two places where one hangs on the other, if they do, and how long a way
+/// through the joint must be for a pair to count [m]
+struct JoinedAt {
+  double on_cable = 0.0, on_other = 0.0;  ///< arc lengths of the joint [m]
+  double shortest_way = 0.0;              ///< [m]
+};
+std::optional<ClosestPair> distance(const Centreline& cable, const Centreline& other,
+                                    const std::optional<JoinedAt>& joined = {}, double margin = 1e-5);
+
+}  // namespace cable_variation

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <cable_variation/harness/harness_rate.h>
+
+namespace cable_variation {
+
+/// First-order change of a ShapePoint per unit of a variable. The point keeps
+/// its share of the piece of cable between two stations (ends, clips, joints,
+/// loads, steps), so its arc length changes with theirs.
+struct ShapePointRate {
+  double arc_length = 0.0;                              ///< [m]
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();   ///< [m], world
+  Eigen::Vector3d rotation = Eigen::Vector3d::Zero();   ///< rotation vector of the section [rad], world
+  Eigen::Vector3d tangent = Eigen::Vector3d::Zero();    ///< of ShapePoint::tangent
+  Eigen::Vector3d bend = Eigen::Vector3d::Zero();       ///< of ShapePoint::bend [1/m]
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();      ///< of ShapePoint::force [N]
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();     ///< of ShapePoint::moment [N m]
+  Eigen::Vector3d strain = Eigen::Vector3d::Zero();     ///< of ShapePoint::strain
+  Eigen::Vector3d curvature = Eigen::Vector3d::Zero();  ///< of ShapePoint::curvature [1/m]
+};
+
+/// First-order change of a Reaction per unit of a variable.
+struct ReactionRate {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< [N], world
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< [N m], world
+  double arc_length = 0.0;                           ///< [m]
+};
+
+/// First-order change of an Equilibrium per unit of a variable.
+struct EquilibriumRate {
+  std::vector<std::vector<ShapePointRate>> shapes;  ///< per cable and point, as Equilibrium::shapes
+  std::vector<ReactionRate> clip_reactions;         ///< per clip
+  double elastic_energy = 0.0;                      ///< [J]
+};
+
+}  // namespace cable_variation

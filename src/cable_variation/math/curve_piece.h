@@ -1,0 +1,30 @@
+#pragma once
+
+#include <array>
+
+#include <Eigen/Core>
+
+namespace cable_variation {
+
+/// A curve through two points with given first and second derivatives there: the
+/// quintic Hermite polynomial, over t from 0 to 1.
+class CurvePiece {
+ public:
+  /// An end: position [m], and its derivatives over arc length [1], [1/m].
+  struct End {
+    Eigen::Vector3d position, tangent, bend;
+  };
+
+  /// From a to b over an arc length of `length` > 0 [m].
+  CurvePiece(const End& a, const End& b, double length);
+
+  Eigen::Vector3d position(double t) const;  ///< [m]
+  Eigen::Vector3d first(double t) const;     ///< derivative over t [m]
+  Eigen::Vector3d second(double t) const;    ///< second derivative over t [m]
+  double curvature(double t) const;          ///< [1/m]
+
+ private:
+  std::array<Eigen::Vector3d, 6> coefficients_;  ///< of the powers of t
+};
+
+}  // namespace cable_variation

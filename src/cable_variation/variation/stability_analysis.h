@@ -1,0 +1,63 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <cable_variation/harness/equilibrium.h>
+#include <cable_variation/variation/measure_evaluation.h>
+
+namespace cable_variation {
+
+/// A measure with one variable low, and the same variable high, the others nominal; re-solved.
+struct LowHigh {
+  double low = 0.0, high = 0.0;  ///< values of the measure; not a number: no equilibrium there
+};
+
+/// How strongly the measures depend on each other's variables (Suh's independence axiom).
+enum class Coupling {
+  uncoupled,  ///< each measure has variables of its own
+  decoupled,  ///< there is an order of tuning in which nothing is undone
+  coupled
+};
+const char* toString(Coupling coupling);
+
+/// Which design variables drive which measures.
+struct StabilityAnalysis {
+  Equilibrium nominal;                 ///< unless it has converged the rest is empty
+  std::vector<std::size_t> variables;  ///< columns, indices into Scene::design_variables
+  std::vector<std::size_t> measures;   ///< rows, indices into Scene::measures
+  std::vector<MeasureValue> values;    ///< per measure, at the nominal design
+  Eigen::MatrixXd jacobian;            ///< [measure's unit / variable's unit]
+  std::vector<bool> one_sided;         ///< per measure: the derivatives are limits from above (similarity)
+  Eigen::VectorXd mean_shift;          ///< per measure: what means off the nominal shift it by
+  Eigen::VectorXd sigma;  ///< per measure: standard deviation to first order (RSS of sigma × derivative)
+  Eigen::MatrixXd contribution;  ///< share of each variable in the variance, of sum 1 unless it is 0
+  Eigen::VectorXd worst_low,
+      worst_high;  ///< per measure: smallest and largest change within the tolerances, first order
+  std::vector<std::vector<LowHigh>> low_high;  ///< per measure and variable; empty unless asked for
+  std::vector<double> eigenvalue_low,
+      eigenvalue_high;  ///< per variable: smallest eigenvalue re-solved there [N/m]
+  Coupling coupling = Coupling::coupled;
+  std::vector<std::string> warnings;   ///< near a loss of stability, a snap, pairs that are not unique, ...
+  std::vector<EquilibriumRate> rates;  ///< per variable: how the shape changes
+  double linear_time = 0.0;            ///< for derivatives and what follows from them [s]
+  double resolve_time = 0.0;           ///< for low and high [s]
+};
+
+struct StabilityOptions {
+  std::vector<std::size_t> variables;  ///< indices; empty: all
+  std::vector<std::size_t> measures;   ///< indices; empty: all
+  DesignValues values;                 ///< the design to analyse: nominal values other than the scene's
+  ComponentPoses moved;
+  bool low_high = true;  ///< re-solve with each variable at its limits
+};
+
+/// Throws std::invalid_argument: an index out of range, spreadOf(), harnessAt().
+/// @param solver holds the equilibrium of the design to analyse if it was its last call; else it is solved
+StabilityAnalysis analyseStability(const Scene& scene, const StabilityOptions& options,
+                                   EquilibriumSolver solver);
+
+}  // namespace cable_variation
