@@ -1,12 +1,28 @@
 #include <cable_variation/harness/clip.h>
 
+#include <algorithm>
+
 namespace cable_variation {
 namespace {
 
 constexpr ClipFreedom kLocked{};
 constexpr ClipFreedom kFree{ClipFreedom::Kind::free, 0.0};
 
+bool anyHeld(const std::array<ClipFreedom, 3>& freedoms) {
+  return std::any_of(freedoms.begin(), freedoms.end(),
+                     [](const ClipFreedom& f) { return f.kind != ClipFreedom::Kind::free; });
+}
+
 }  // namespace
+
+bool ClipConstraint::holdsPosition() const { return anyHeld(translation); }
+
+bool ClipConstraint::holdsRotation() const { return anyHeld(rotation); }
+
+bool ClipConstraint::locksPosition() const {
+  return std::all_of(translation.begin(), translation.end(),
+                     [](const ClipFreedom& f) { return f.kind == ClipFreedom::Kind::locked; });
+}
 
 ClipConstraint fixedClip() { return {{kLocked, kLocked, kLocked}, {kLocked, kLocked, kLocked}, false}; }
 

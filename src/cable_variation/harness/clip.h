@@ -25,6 +25,10 @@ struct ClipConstraint {
   std::array<ClipFreedom, 3> translation;
   std::array<ClipFreedom, 3> rotation;
   bool slides = false;  ///< the arc length held is an unknown of the equilibrium
+
+  bool holdsPosition() const;  ///< a translation at least is not free
+  bool holdsRotation() const;  ///< a rotation at least is not free
+  bool locksPosition() const;  ///< all translations are locked
 };
 
 enum class Axis { x, y, z };

@@ -1,18 +1,8 @@
 #include <cable_variation/harness/configuration.h>
 
-#include <algorithm>
-
 #include <cable_variation/math/so3.h>
 
 namespace cable_variation {
-namespace {
-
-bool anyHeld(const std::array<ClipFreedom, 3>& freedoms) {
-  return std::any_of(freedoms.begin(), freedoms.end(),
-                     [](const ClipFreedom& f) { return f.kind != ClipFreedom::Kind::free; });
-}
-
-}  // namespace
 
 void placeStations(const Harness& harness, const Topology& topology, Configuration& configuration) {
   for (std::size_t index : topology.order) {
@@ -20,8 +10,8 @@ void placeStations(const Harness& harness, const Topology& topology, Configurati
     StationConfiguration& at = configuration.stations[index];
     if (station.clip) {
       const Clip& clip = harness.clips[*station.clip];
-      if (anyHeld(clip.constraint.translation)) at.pose.position = clip.pose * at.offset;
-      if (anyHeld(clip.constraint.rotation)) {
+      if (clip.constraint.holdsPosition()) at.pose.position = clip.pose * at.offset;
+      if (clip.constraint.holdsRotation()) {
         at.pose.orientation = clip.pose.orientation * so3::exp(at.rotation);
       }
     }

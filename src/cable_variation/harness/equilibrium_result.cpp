@@ -4,38 +4,11 @@
 #include <sstream>
 
 #include <cable_variation/harness/grid.h>
+#include <cable_variation/harness/shape_point.h>
 #include <cable_variation/rod/profile.h>
 
 namespace cable_variation {
 namespace {
-
-// A section from its pose and the force and moment there: strains by the
-// material law, φ'' by differentiating φ' = R Γ with the force balance.
-ShapePoint shapePoint(double arc_length, const Pose& pose, const Vector6d& section_force,
-                      const RodProperties& rod, const Eigen::Vector3d& gravity) {
-  ShapePoint point;
-  point.arc_length = arc_length;
-  point.pose = pose;
-  point.force = section_force.head<3>();
-  const Eigen::Vector3d m = section_force.tail<3>();
-  point.moment = pose.orientation * m;
-  const Eigen::Vector3d n = pose.orientation.conjugate() * point.force;
-  const Eigen::Vector3d k_gamma = rod.stiffness.head<3>();
-  const Eigen::Vector3d k_omega = rod.stiffness.tail<3>();
-  point.strain = n.cwiseQuotient(k_gamma);
-  point.curvature = m.cwiseQuotient(k_omega);
-  point.turn = point.curvature + rod.rest_curvature;
-  const Eigen::Vector3d gamma = Eigen::Vector3d::UnitX() + point.strain;
-  point.tangent = pose.orientation * gamma;
-  // n' in the section frame: -Ω × n - ρA Rᵀg; stiffness may change along s
-  const Eigen::Vector3d weight = pose.orientation.conjugate() * (rod.mass_per_length * gravity);
-  const Eigen::Vector3d n_slope = -point.turn.cross(n) - weight;
-  const Eigen::Vector3d stiffness_slope = rod.stiffness_slope.head<3>();
-  const Eigen::Vector3d gamma_slope =
-      (n_slope - stiffness_slope.cwiseProduct(point.strain)).cwiseQuotient(k_gamma);
-  point.bend = pose.orientation * (point.turn.cross(gamma) + gamma_slope);
-  return point;
-}
 
 CableShape describeCable(const Harness& harness, const Topology& topology, const RodSystem& system,
                          const Configuration& configuration, std::size_t cable) {
@@ -52,16 +25,19 @@ CableShape describeCable(const Harness& harness, const Topology& topology, const
     const SpanConfiguration& nodes = configuration.spans[index];
     for (std::size_t k = 0; k < boundaries.size(); ++k) {
       const double s = left + boundaries[k] * length;
-      // at a step of the section, this span's side of it
-      const double inside = std::clamp(s, left + 1e-9 * length, left + (1.0 - 1e-9) * length);
       shape.points.push_back(shapePoint(s, {nodes.positions[3 * k], nodes.orientations[3 * k]},
-                                        system.sectionForce(index, k), profile.at(inside), harness.gravity));
+                                        system.sectionForce(index, k),
+                                        profile.at(insideSpan(s, left, length)), harness.gravity));
     }
   }
   return shape;
 }
 
 }  // namespace
+
+double insideSpan(double arc_length, double start, double length) {
+  return std::clamp(arc_length, start + 1e-9 * length, start + (1.0 - 1e-9) * length);
+}
 
 std::vector<CableShape> describeShapes(const Harness& harness, const Topology& topology,
                                        const RodSystem& system, const Configuration& configuration) {
@@ -100,32 +76,46 @@ Configuration onGrid(const Topology& topology, const Configuration& configuratio
   return result;
 }
 
+std::vector<Wrench> stationWrenches(const Topology& topology,
+                                    const std::vector<std::array<Wrench, 2>>& span_ends,
+                                    const std::vector<Wrench>& loads) {
+  std::vector<Wrench> wrenches(topology.stations.size());
+  for (std::size_t i = 0; i < topology.spans.size(); ++i) {
+    wrenches[topology.spans[i].left] += span_ends[i][0];
+    wrenches[topology.spans[i].right] += span_ends[i][1];
+  }
+  for (std::size_t i = 0; i < wrenches.size(); ++i) {
+    wrenches[i].force -= loads[i].force;
+    wrenches[i].moment -= loads[i].moment;
+  }
+  for (auto i = topology.order.rbegin(); i != topology.order.rend(); ++i) {
+    const Station& station = topology.stations[*i];
+    if (station.parent) wrenches[*station.parent] += wrenches[*i];
+  }
+  return wrenches;
+}
+
 void describe(const Harness& harness, const Topology& topology, const RodSystem& system,
               const Configuration& configuration, Equilibrium& result) {
   result.energy = system.energy();
   result.residual = system.residual();
-  result.shapes = describeShapes(harness, topology, system, configuration);
-  // What the cables need from outside at each station: what its spans need, less the loads there,
-  // plus what the children that hang on it need.
-  struct Need {
-    Eigen::Vector3d force = Eigen::Vector3d::Zero();
-    Eigen::Vector3d moment = Eigen::Vector3d::Zero();
-  };
-  std::vector<Need> needs(topology.stations.size());
+  std::vector<std::array<Wrench, 2>> ends;
   for (std::size_t i = 0; i < topology.spans.size(); ++i) {
+    ends.emplace_back();
     for (int end = 0; end < 2; ++end) {
       const std::size_t station = end == 0 ? topology.spans[i].left : topology.spans[i].right;
       const Vector6d force = system.endForce(i, end);
-      needs[station].force += force.head<3>();
-      needs[station].moment += configuration.stations[station].pose.orientation * force.tail<3>();
+      ends.back()[static_cast<std::size_t>(end)] = {
+          force.head<3>(), configuration.stations[station].pose.orientation * force.tail<3>()};
     }
   }
-  for (std::size_t i = 0; i < needs.size(); ++i) {
+  std::vector<Wrench> loads(topology.stations.size());
+  for (std::size_t i = 0; i < loads.size(); ++i) {
     for (std::size_t load : topology.stations[i].loads) {
-      needs[i].force -= harness.loads[load].force;
-      needs[i].moment -= harness.loads[load].moment;
+      loads[i] += {harness.loads[load].force, harness.loads[load].moment};
     }
   }
+  const std::vector<Wrench> needs = stationWrenches(topology, ends, loads);
   const auto reaction = [&](const std::string& name, std::size_t station) {
     Reaction r;
     r.name = name;
@@ -135,13 +125,9 @@ void describe(const Harness& harness, const Topology& topology, const RodSystem&
     r.section = configuration.stations[station].pose;
     return r;
   };
-  result.joint_reactions.assign(harness.joints.size(), {});
-  for (auto i = topology.order.rbegin(); i != topology.order.rend(); ++i) {
-    const Station& station = topology.stations[*i];
-    if (!station.joint) continue;
-    result.joint_reactions[*station.joint] = reaction(harness.joints[*station.joint].name, *i);
-    needs[*station.parent].force += needs[*i].force;
-    needs[*station.parent].moment += needs[*i].moment;
+  result.joint_reactions.clear();
+  for (std::size_t j = 0; j < harness.joints.size(); ++j) {
+    result.joint_reactions.push_back(reaction(harness.joints[j].name, topology.joint_child[j]));
   }
   result.clip_reactions.clear();
   for (std::size_t c = 0; c < harness.clips.size(); ++c) {
@@ -166,9 +152,7 @@ std::string unreachable(const Harness& harness, const Topology& topology, const 
   const auto held = [&](const Station& station, bool must_not_slide) {
     if (!station.clip) return false;
     const ClipConstraint& constraint = harness.clips[*station.clip].constraint;
-    return std::all_of(constraint.translation.begin(), constraint.translation.end(),
-                       [](const ClipFreedom& f) { return f.kind == ClipFreedom::Kind::locked; }) &&
-           !(must_not_slide && constraint.slides);
+    return constraint.locksPosition() && !(must_not_slide && constraint.slides);
   };
   for (std::size_t c = 0; c < harness.cables.size(); ++c) {
     const Station* start = nullptr;

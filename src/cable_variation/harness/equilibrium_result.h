@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include <cable_variation/harness/equilibrium.h>
 #include <cable_variation/harness/rod_system.h>
 
@@ -9,13 +11,37 @@ namespace cable_variation {
 std::vector<CableShape> describeShapes(const Harness& harness, const Topology& topology,
                                        const RodSystem& system, const Configuration& configuration);
 
+/// `arc_length` of a span's end moved inside it, so that at a step of the section it is on the span's side
+/// [m].
+double insideSpan(double arc_length, double start, double length);
+
 /// The configuration on another grid, its nodes taken from the shapes: their
 /// points are the most accurate that a grid gives, better than the elements'
 /// own polynomials.
 Configuration onGrid(const Topology& topology, const Configuration& configuration,
                      const std::vector<CableShape>& shapes, const Grid& grid);
 
-/// Fills shapes, reactions and energy of `result` from a solved system, which
+/// A force and a moment, in the world.
+struct Wrench {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+
+  Wrench& operator+=(const Wrench& other) {
+    force += other.force;
+    moment += other.moment;
+    return *this;
+  }
+};
+
+/// What each station needs from outside: what its spans' ends need, less the loads
+/// there, plus what the children that hang on it need.
+/// @param span_ends per span: what its left and right end need
+/// @param loads per station
+std::vector<Wrench> stationWrenches(const Topology& topology,
+                                    const std::vector<std::array<Wrench, 2>>& span_ends,
+                                    const std::vector<Wrench>& loads);
+
+/// Fills reactions, energy and residual of `result` from a solved system, which
 /// must hold the gradient at `configuration`.
 void describe(const Harness& harness, const Topology& topology, const RodSystem& system,
               const Configuration& configuration, Equilibrium& result);

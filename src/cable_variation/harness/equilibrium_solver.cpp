@@ -1,10 +1,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <sstream>
+#include <stdexcept>
 
 #include <cable_variation/harness/discretisation.h>
 #include <cable_variation/harness/equilibrium.h>
+#include <cable_variation/harness/equilibrium_rate.h>
 #include <cable_variation/harness/equilibrium_result.h>
 #include <cable_variation/harness/initial_shape.h>
 #include <cable_variation/harness/problem.h>
@@ -78,6 +81,10 @@ struct EquilibriumSolver::Impl {
   bool adaptGrid(Equilibrium& result);
   void finish(Equilibrium& result);
 
+  std::vector<EquilibriumRate> differentiate(const std::vector<HarnessRate>& variables);
+  std::vector<double> eigenvalueRates(const std::vector<HarnessRate>& variables);
+  LinearResponse linearise();
+
   EquilibriumOptions options;
   std::unique_ptr<Problem> problem;
   bool unstable = false;  // the shape at hand is merely stationary
@@ -140,18 +147,18 @@ bool EquilibriumSolver::Impl::growMoments(const Harness& harness, Equilibrium& r
 }
 
 // Refines until the estimated error is below the accuracy asked for. The system ends with its gradient at
-// the configuration.
+// the configuration, and the result with the shapes there.
 bool EquilibriumSolver::Impl::adaptGrid(Equilibrium& result) {
   for (int round = 0; round <= kRefinements; ++round) {
-    const std::vector<CableShape> shapes =
+    result.shapes =
         describeShapes(problem->harness, problem->topology, *problem->system, problem->configuration);
     const Configuration on_coarse =
-        onGrid(problem->topology, problem->configuration, shapes, problem->coarse->grid());
+        onGrid(problem->topology, problem->configuration, result.shapes, problem->coarse->grid());
     const DiscretisationError error =
         estimateDiscretisation(*problem->system, *problem->coarse, on_coarse, !unstable);
     result.discretisation_error = error.centreline;
     if (error.centreline <= options.accuracy) return true;
-    if (round == kRefinements) return false;
+    if (round == kRefinements) break;
     double largest = 0.0;
     for (const auto& span : error.contribution) {
       for (double c : span) largest = std::max(largest, c);
@@ -163,9 +170,10 @@ bool EquilibriumSolver::Impl::adaptGrid(Equilibrium& result) {
     }
     problem->setGrid(refine(problem->system->grid(), marked));
     problem->configuration =
-        onGrid(problem->topology, problem->configuration, shapes, problem->system->grid());
-    if (!descend(unstable || !problem->system->conservative(), result)) return false;
+        onGrid(problem->topology, problem->configuration, result.shapes, problem->system->grid());
+    if (!descend(unstable || !problem->system->conservative(), result)) break;
   }
+  result.shapes.clear();
   return false;
 }
 
@@ -286,6 +294,54 @@ Equilibrium EquilibriumSolver::Impl::update(const Harness& harness) {
   return result;
 }
 
+// The system ends with its Hessian factorised at the equilibrium.
+LinearResponse EquilibriumSolver::Impl::linearise() {
+  if (!problem || unstable) throw std::logic_error("there is no equilibrium to differentiate");
+  problem->system->evaluate(problem->configuration, RodSystem::Hessian::exact);
+  problem->system->factorise(kNeutralShift, problem->system->bendingMetric());
+  return LinearResponse(*problem->system, problem->configuration);
+}
+
+std::vector<EquilibriumRate> EquilibriumSolver::Impl::differentiate(
+    const std::vector<HarnessRate>& variables) {
+  LinearResponse response = linearise();
+  const std::vector<CableShape> shapes =
+      describeShapes(problem->harness, problem->topology, *problem->system, problem->configuration);
+  std::vector<EquilibriumRate> rates;
+  rates.reserve(variables.size());
+  for (const HarnessRate& variable : variables) {
+    const HarnessChange change = changeOf(problem->harness, problem->topology, problem->system->unknowns(),
+                                          problem->configuration, variable);
+    rates.push_back(
+        equilibriumRate(problem->harness, problem->topology, shapes, change, response.to(change)));
+  }
+  return rates;
+}
+
+// The eigenvalue's derivative takes that of the Hessian along the response: equilibria a little to both
+// sides.
+std::vector<double> EquilibriumSolver::Impl::eigenvalueRates(const std::vector<HarnessRate>& variables) {
+  constexpr double kTurn = 2e-3;  // that the nearer ones may turn a section by [rad]
+  LinearResponse response = linearise();
+  std::vector<double> rates;
+  for (const HarnessRate& variable : variables) {
+    const HarnessChange change = changeOf(problem->harness, problem->topology, problem->system->unknowns(),
+                                          problem->configuration, variable);
+    const double step = kTurn / sizeOf(change, response.to(change), problem->length());
+    const auto eigenvalue = [&](double by) {
+      Impl aside(*this);
+      aside.options.eigenvalue = true;
+      aside.options.accuracy = std::numeric_limits<double>::infinity();  // on the same grid
+      const Equilibrium found = aside.update(changed(problem->harness, variable, by));
+      return found.converged() ? found.smallest_eigenvalue : std::numeric_limits<double>::quiet_NaN();
+    };
+    const double near = (eigenvalue(step) - eigenvalue(-step)) / (2.0 * step);
+    const double far = (eigenvalue(2.0 * step) - eigenvalue(-2.0 * step)) / (4.0 * step);
+    rates.push_back((4.0 * near - far) / 3.0);
+  }
+  return rates;
+}
+
 EquilibriumSolver::EquilibriumSolver(const EquilibriumOptions& options)
     : impl_(std::make_unique<Impl>(options)) {}
 EquilibriumSolver::~EquilibriumSolver() = default;
@@ -300,5 +356,11 @@ EquilibriumSolver& EquilibriumSolver::operator=(EquilibriumSolver&&) noexcept = 
 
 Equilibrium EquilibriumSolver::solve(const Harness& harness) { return impl_->solve(harness); }
 Equilibrium EquilibriumSolver::update(const Harness& harness) { return impl_->update(harness); }
+std::vector<EquilibriumRate> EquilibriumSolver::differentiate(const std::vector<HarnessRate>& variables) {
+  return impl_->differentiate(variables);
+}
+std::vector<double> EquilibriumSolver::eigenvalueRates(const std::vector<HarnessRate>& variables) {
+  return impl_->eigenvalueRates(variables);
+}
 
 }  // namespace cable_variation

@@ -104,16 +104,11 @@ void collectSharedSections(const Harness& harness, std::vector<std::string>& fau
   }
 }
 
-bool holdsPosition(const Clip& clip) {
-  const auto& t = clip.constraint.translation;
-  return std::any_of(t.begin(), t.end(),
-                     [](const ClipFreedom& f) { return f.kind != ClipFreedom::Kind::free; });
-}
-
 // Every cable must be connected, through joints, to a clip that holds something.
 void collectLooseCables(const Harness& harness, std::vector<std::string>& faults) {
   std::vector<bool> held(harness.cables.size(), false);
-  for (const Clip& clip : harness.clips) held[clip.cable] = held[clip.cable] || holdsPosition(clip);
+  for (const Clip& clip : harness.clips)
+    held[clip.cable] = held[clip.cable] || clip.constraint.holdsPosition();
   for (std::size_t round = 0; round < harness.joints.size(); ++round) {
     for (const Joint& joint : harness.joints) {
       if (held[joint.parent] || held[joint.child]) held[joint.parent] = held[joint.child] = true;

@@ -37,4 +37,10 @@ struct HarnessRate {
   std::vector<CableRate> cables;
 };
 
+struct Harness;
+
+/// The harness after a change of the variable by `step`: clip frames turn about
+/// their origins, everything else changes in proportion.
+Harness changed(const Harness& harness, const HarnessRate& rate, double step);
+
 }  // namespace cable_variation

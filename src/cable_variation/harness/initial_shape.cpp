@@ -11,13 +11,8 @@
 namespace cable_variation {
 namespace {
 
-bool anyHeld(const std::array<ClipFreedom, 3>& freedoms) {
-  return std::any_of(freedoms.begin(), freedoms.end(),
-                     [](const ClipFreedom& f) { return f.kind != ClipFreedom::Kind::free; });
-}
-
 bool holdsPosition(const Harness& harness, const Station& station) {
-  return station.joint || (station.clip && anyHeld(harness.clips[*station.clip].constraint.translation));
+  return station.joint || (station.clip && harness.clips[*station.clip].constraint.holdsPosition());
 }
 
 bool holdsDirection(const Harness& harness, const Station& station) {

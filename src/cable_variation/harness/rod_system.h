@@ -118,6 +118,8 @@ class RodSystem {
   Vector6d sectionForce(std::size_t span, std::size_t boundary) const;
 
  private:
+  friend class LinearResponse;
+
   struct Element {
     std::size_t batch;
     int lane;

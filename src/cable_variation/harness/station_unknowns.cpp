@@ -5,14 +5,7 @@
 #include <cable_variation/math/so3.h>
 
 namespace cable_variation {
-namespace {
-
-bool allFree(const std::array<ClipFreedom, 3>& freedoms) {
-  return std::all_of(freedoms.begin(), freedoms.end(),
-                     [](const ClipFreedom& f) { return f.kind == ClipFreedom::Kind::free; });
-}
-
-}  // namespace
+namespace {}  // namespace
 
 StationUnknowns::StationUnknowns(const Harness& harness, const Topology& topology)
     : harness_(harness), topology_(topology), layout_(topology.stations.size()) {
@@ -25,7 +18,7 @@ StationUnknowns::StationUnknowns(const Harness& harness, const Topology& topolog
     Layout& layout = layout_[i];
     if (station.clip) {
       const ClipConstraint& constraint = harness.clips[*station.clip].constraint;
-      layout.rotation_vector = !allFree(constraint.rotation);
+      layout.rotation_vector = constraint.holdsRotation();
       for (std::size_t k = 0; k < 3; ++k) {
         if (constraint.translation[k].kind != ClipFreedom::Kind::locked) layout.translation[k] = add(i);
       }
