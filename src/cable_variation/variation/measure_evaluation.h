@@ -43,6 +43,10 @@ class MeasureEvaluator {
   MeasureEvaluator(MeasureEvaluator&&) noexcept;
   MeasureEvaluator& operator=(MeasureEvaluator&&) noexcept;
 
+  /// The same scene's, or an edited one's with the same components, with another nominal shape. Quick: the
+  /// parts' geometry is shared, not prepared again.
+  MeasureEvaluator with(const Scene& scene, const SolvedScene& nominal) const;
+
   /// The values of `measures` (indices into Scene::measures). `near`: values of the same measures at a
   /// similar shape, which make the search faster and change nothing else.
   std::vector<MeasureValue> evaluate(const SolvedScene& at, const std::vector<std::size_t>& measures) const;

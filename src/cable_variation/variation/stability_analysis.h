@@ -57,7 +57,9 @@ struct StabilityOptions {
 
 /// Throws std::invalid_argument: an index out of range, spreadOf(), harnessAt().
 /// @param solver holds the equilibrium of the design to analyse if it was its last call; else it is solved
+/// @param prepared an evaluator of the same components, whose prepared geometry is used (preparing it takes
+/// tens of milliseconds for an engine bay); null: none
 StabilityAnalysis analyseStability(const Scene& scene, const StabilityOptions& options,
-                                   EquilibriumSolver solver);
+                                   EquilibriumSolver solver, const MeasureEvaluator* prepared = nullptr);
 
 }  // namespace cable_variation
