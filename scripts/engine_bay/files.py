@@ -24,15 +24,15 @@ def numbers(values):
     return " ".join(f"{value:.6g}" for value in values)
 
 
-def urdf_text(name, parts):
+def urdf_text(name, parts, folder="", maker="make_engine_bay"):
     """Every part a link on the root link `name`; visual and collision geometry are the same mesh."""
-    lines = ['<?xml version="1.0"?>', "<!-- Made by scripts/make_engine_bay. -->", f'<robot name="{name}">']
+    lines = ['<?xml version="1.0"?>', f"<!-- Made by scripts/{maker}. -->", f'<robot name="{name}">']
     materials = {material[0]: material[1] for material in (part.material for part in parts)}
     for material, colour in materials.items():
         lines += [f'  <material name="{material}">', f'    <color rgba="{numbers(colour)} 1"/>', "  </material>"]
     lines.append(f'  <link name="{name}"/>')
     for part in parts:
-        geometry = f'      <geometry><mesh filename="{PACKAGE}/meshes/{part.name}.stl"/></geometry>'
+        geometry = f'      <geometry><mesh filename="{PACKAGE}/meshes/{folder}{part.name}.stl"/></geometry>'
         lines += [f'  <link name="{part.name}">', "    <visual>", geometry]
         lines += [f'      <material name="{part.material[0]}"/>', "    </visual>"]
         lines += ["    <collision>", geometry, "    </collision>", "  </link>"]

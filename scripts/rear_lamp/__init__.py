@@ -1,0 +1,1 @@
+"""The parts of the rear lamps, built with the solids of the engine bay."""
