@@ -22,9 +22,11 @@ class CurvePiece {
   Eigen::Vector3d first(double t) const;     ///< derivative over t [m]
   Eigen::Vector3d second(double t) const;    ///< second derivative over t [m]
   double curvature(double t) const;          ///< [1/m]
+  /// Of the powers of t from 0 to 5 [m].
+  const std::array<Eigen::Vector3d, 6>& coefficients() const { return coefficients_; }
 
  private:
-  std::array<Eigen::Vector3d, 6> coefficients_;  ///< of the powers of t
+  std::array<Eigen::Vector3d, 6> coefficients_;
 };
 
 }  // namespace cable_variation
