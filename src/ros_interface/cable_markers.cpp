@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include <ros_interface/marker_shapes.h>
 #include <ros_interface/names.h>
 
 namespace cable_variation_ros {
@@ -15,7 +14,6 @@ using cable_variation::CableShape;
 namespace {
 
 constexpr double kLargestBend = 2.0 * M_PI / 180.0;  // of one segment [rad]: invisible in RViz's light
-constexpr double kLongest = 0.02;                    // segment [m]
 constexpr double kStep = 0.001;                      // at which the shape is looked at [m]
 constexpr std::size_t kMostSteps = 4000;
 
@@ -33,7 +31,13 @@ void addLid(MarkerGroup& group, const Eigen::Vector3d& end, const Eigen::Vector3
   group.addCylinder(end, end + 0.1 * radius * (inside - end).normalized(), 0.99 * radius);
 }
 
-void addCable(MarkerGroup& group, const CableShape& shape, const Cable& cable) {
+}  // namespace
+
+void addCable(MarkerGroup& group, const CableShape& shape, const Cable& cable, const CableLook& look) {
+  const auto radiusAt = [&](double s) { return look.thickness * sectionAt(cable, s).radius; };
+  const auto paint = [&](double s) {
+    if (look.color) group.setColor(look.color(s));
+  };
   const auto wanted = static_cast<std::size_t>(std::ceil(cable.length / kStep)) + 1;
   const std::size_t count = std::clamp<std::size_t>(wanted, 2, kMostSteps);
   const std::vector<cable_variation::Pose> poses = shape.sample(count);
@@ -46,11 +50,12 @@ void addCable(MarkerGroup& group, const CableShape& shape, const Cable& cable) {
     if (!last) {
       const Eigen::Vector3d next = poses[i + 1].position - poses[i].position;
       const double bend = std::atan2(first_direction.cross(next).norm(), first_direction.dot(next));
-      if (bend < kLargestBend && static_cast<double>(i + 1 - start) * step <= kLongest) continue;
+      if (bend < kLargestBend && static_cast<double>(i + 1 - start) * step <= look.longest_segment) continue;
       first_direction = next;
     }
     const double middle = 0.5 * static_cast<double>(start + i) * step;
-    const double radius = sectionAt(cable, middle).radius;
+    const double radius = radiusAt(middle);
+    paint(middle);
     // Neighbours overlap on the outside of the bend, where cut ends would gape.
     const Eigen::Vector3d span = poses[i].position - poses[start].position;
     const double overlap = 3.0 * kLargestBend * radius;  // a sixth of it closes the largest bend
@@ -62,11 +67,11 @@ void addCable(MarkerGroup& group, const CableShape& shape, const Cable& cable) {
     group.addMeshResource(segment, kSegment, {length, radius, radius});
     start = i;
   }
-  addLid(group, poses[0].position, poses[1].position, sectionAt(cable, 0.0).radius);
-  addLid(group, poses[count - 1].position, poses[count - 2].position, sectionAt(cable, cable.length).radius);
+  paint(0.0);
+  addLid(group, poses[0].position, poses[1].position, radiusAt(0.0));
+  paint(cable.length);
+  addLid(group, poses[count - 1].position, poses[count - 2].position, radiusAt(cable.length));
 }
-
-}  // namespace
 
 visualization_msgs::MarkerArray cableMarkers(const cable_variation::Equilibrium& equilibrium,
                                              const cable_variation::Harness& harness) {
@@ -74,7 +79,7 @@ visualization_msgs::MarkerArray cableMarkers(const cable_variation::Equilibrium&
   if (!equilibrium.converged()) return array;
   for (std::size_t i = 0; i < equilibrium.shapes.size(); ++i) {
     MarkerGroup group(kCableMarkers + harness.cables[i].name, kWorldFrame, kColors[i % kColors.size()]);
-    addCable(group, equilibrium.shapes[i], harness.cables[i]);
+    addCable(group, equilibrium.shapes[i], harness.cables[i], {});
     array.markers.insert(array.markers.end(), group.markers().begin(), group.markers().end());
   }
   return array;

@@ -1,5 +1,7 @@
 #include <ros_interface/marker_shapes.h>
 
+#include <algorithm>
+
 #include <ros_interface/message_conversion.h>
 
 namespace cable_variation_ros {
@@ -41,6 +43,14 @@ void MarkerGroup::addCylinder(const Eigen::Vector3d& from, const Eigen::Vector3d
   pose.position = 0.5 * (from + to);
   pose.orientation = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), to - from);
   add(Marker::CYLINDER, pose, {2.0 * radius, 2.0 * radius, (to - from).norm()});
+}
+
+void MarkerGroup::addArrow(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius) {
+  const double length = (to - from).norm();
+  if (!(length > 0.0)) return;
+  const double head = std::min(6.0 * radius, 0.5 * length);
+  Marker& marker = add(Marker::ARROW, Pose(), {2.0 * radius, 4.5 * radius, head});
+  marker.points = {toPoint(from), toPoint(to)};
 }
 
 void MarkerGroup::addMesh(const Pose& pose, const cable_variation::TriangleMesh& mesh) {

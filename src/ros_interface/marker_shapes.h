@@ -22,6 +22,8 @@ class MarkerGroup {
   void addBox(const cable_variation::Pose& pose, const Eigen::Vector3d& size);              ///< edges [m]
   void addSphere(const Eigen::Vector3d& centre, double radius);                             ///< [m]
   void addCylinder(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius);  ///< [m]
+  /// With a head; nothing if there is no way between.
+  void addArrow(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius);  ///< of the shaft [m]
   void addMesh(const cable_variation::Pose& pose, const cable_variation::TriangleMesh& mesh);
   void addMeshResource(const cable_variation::Pose& pose, const std::string& address,
                        const Eigen::Vector3d& scale);

@@ -16,27 +16,28 @@ using cable_variation::Harness;
 using cable_variation::Pose;
 using cable_variation::ShapePoint;
 
-geometry_msgs::Vector3 toVector(const Eigen::Vector3d& vector) {
-  geometry_msgs::Vector3 message;
-  message.x = vector.x();
-  message.y = vector.y();
-  message.z = vector.z();
+namespace {
+
+/// A message with fields x, y and z, of a vector or a quaternion.
+template <typename Message, typename Value>
+Message withXyz(const Value& value) {
+  Message message;
+  message.x = value.x();
+  message.y = value.y();
+  message.z = value.z();
   return message;
 }
 
-geometry_msgs::Point toPoint(const Eigen::Vector3d& point) {
-  geometry_msgs::Point message;
-  message.x = point.x();
-  message.y = point.y();
-  message.z = point.z();
-  return message;
+}  // namespace
+
+geometry_msgs::Vector3 toVector(const Eigen::Vector3d& vector) {
+  return withXyz<geometry_msgs::Vector3>(vector);
 }
+
+geometry_msgs::Point toPoint(const Eigen::Vector3d& point) { return withXyz<geometry_msgs::Point>(point); }
 
 geometry_msgs::Quaternion toQuaternion(const Eigen::Quaterniond& orientation) {
-  geometry_msgs::Quaternion message;
-  message.x = orientation.x();
-  message.y = orientation.y();
-  message.z = orientation.z();
+  auto message = withXyz<geometry_msgs::Quaternion>(orientation);
   message.w = orientation.w();
   return message;
 }

@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include <cable_variation/scene/moving_components.h>
-#include <ros_interface/component_markers.h>
 #include <ros_interface/message_conversion.h>
 #include <ros_interface/names.h>
 #include <ros_interface/request_status.h>
@@ -48,11 +47,10 @@ const Component& componentOf(const Scene& scene, const Motion& motion) {
 MovingGeometry::MovingGeometry(ros::NodeHandle node, const MovingGeometryParameters& parameters)
     : scene_(loadMotions(parameters.scene)),
       player_(longest(scene_), parameters.speed, parameters.loop),
-      components_(node, kComponentsTopic),
+      components_(node, scene_, movingComponents(scene_)),
       play_server_(node.advertiseService(kPlayService, &MovingGeometry::play, this)),
       seek_server_(node.advertiseService(kSeekService, &MovingGeometry::seek, this)) {
-  const std::set<std::string> moving = movingComponents(scene_);
-  std::set<std::string> riding = moving;
+  std::set<std::string> riding = movingComponents(scene_);
   for (const Motion& motion : scene_.motions) riding.erase(motion.component);
   std::vector<geometry_msgs::TransformStamped> transforms;
   for (const Component& component : scene_.components) {
@@ -60,7 +58,6 @@ MovingGeometry::MovingGeometry(ros::NodeHandle node, const MovingGeometryParamet
     transforms.push_back(toTransform(component.pose, component.parent, component.name, ros::Time::now()));
   }
   if (!transforms.empty()) static_broadcaster_.sendTransform(transforms);
-  components_.publish(componentMarkers(scene_, moving));
   timer_ = node.createTimer(ros::Duration(1.0 / parameters.rate_hz), &MovingGeometry::tick, this);
 }
 

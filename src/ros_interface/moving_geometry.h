@@ -12,7 +12,7 @@
 #include <cable_variation/Seek.h>
 
 #include <cable_variation/scene/scene.h>
-#include <ros_interface/marker_channel.h>
+#include <ros_interface/component_display.h>
 #include <ros_interface/motion_player.h>
 #include <ros_interface/node_parameters.h>
 
@@ -34,7 +34,7 @@ class MovingGeometry {
 
   cable_variation::Scene scene_;
   MotionPlayer player_;
-  MarkerChannel components_;
+  ComponentDisplay components_;
   tf2_ros::StaticTransformBroadcaster static_broadcaster_;
   tf2_ros::TransformBroadcaster broadcaster_;
   ros::ServiceServer play_server_;

@@ -7,11 +7,16 @@ constexpr char kWorldFrame[] = "world";
 
 // Topics and services, relative to a node's private namespace.
 constexpr char kComponentsTopic[] = "components";
+constexpr char kComponentDeviationsTopic[] = "component_deviations";
 constexpr char kCablesTopic[] = "cables";
 constexpr char kShapesTopic[] = "shapes";
+constexpr char kVariationTopic[] = "variation";
+constexpr char kLegendTopic[] = "legend";
+constexpr char kInterferenceTopic[] = "interference";
 constexpr char kPlayService[] = "play";
 constexpr char kSeekService[] = "seek";
 constexpr char kSolveEquilibriumService[] = "solve_equilibrium";
+constexpr char kAnalyzeStabilityService[] = "analyze_stability";
 constexpr char kGetSceneService[] = "get_scene";
 constexpr char kLoadSceneService[] = "load_scene";
 constexpr char kSetDesignService[] = "set_design";
@@ -21,5 +26,8 @@ constexpr char kResetDesignService[] = "reset_design";
 constexpr char kComponentMarkers[] = "component/";
 constexpr char kCableMarkers[] = "cable/";
 constexpr char kClipMarkers[] = "clip/";
+constexpr char kVariationMarkers[] = "variation/";
+constexpr char kSensitivityMarkers[] = "sensitivity/";
+constexpr char kInterferenceMarkers[] = "interference/";
 
 }  // namespace cable_variation_ros

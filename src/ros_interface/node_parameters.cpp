@@ -29,6 +29,10 @@ class ParameterReader {
     if (node_.hasParam(name) && !node_.getParam(name, value)) fault(name, "expected true or false");
   }
 
+  void optional(const std::string& name, std::string& value) {
+    if (node_.hasParam(name)) required(name, value);
+  }
+
   void optionalPositive(const std::string& name, double& value, double upper) {
     if (!node_.hasParam(name)) return;
     if (!node_.getParam(name, value)) {
@@ -56,35 +60,39 @@ class ParameterReader {
 constexpr double kHighestRate = 1000.0;  // [Hz]; beyond what ROS timers and tf keep up with
 constexpr double kHighestSpeed = 1e4;
 
+/// A node's parameters: `scene`, which every node has, and what `others` reads.
+template <typename Parameters, typename Others>
+Parameters readParameters(const ros::NodeHandle& node, const Others& others) {
+  Parameters parameters;
+  ParameterReader reader(node);
+  reader.required("scene", parameters.scene);
+  others(reader, parameters);
+  reader.finish();
+  return parameters;
+}
+
 }  // namespace
 
 StaticGeometryParameters readStaticGeometryParameters(const ros::NodeHandle& node) {
-  StaticGeometryParameters parameters;
-  ParameterReader reader(node);
-  reader.required("scene", parameters.scene);
-  reader.finish();
-  return parameters;
+  return readParameters<StaticGeometryParameters>(node, [](ParameterReader&, StaticGeometryParameters&) {});
 }
 
 MovingGeometryParameters readMovingGeometryParameters(const ros::NodeHandle& node) {
-  MovingGeometryParameters parameters;
-  ParameterReader reader(node);
-  reader.required("scene", parameters.scene);
-  reader.optionalPositive("rate", parameters.rate_hz, kHighestRate);
-  reader.optional("loop", parameters.loop);
-  reader.optionalPositive("speed", parameters.speed, kHighestSpeed);
-  reader.finish();
-  return parameters;
+  return readParameters<MovingGeometryParameters>(
+      node, [](ParameterReader& reader, MovingGeometryParameters& parameters) {
+        reader.optionalPositive("rate", parameters.rate_hz, kHighestRate);
+        reader.optional("loop", parameters.loop);
+        reader.optionalPositive("speed", parameters.speed, kHighestSpeed);
+      });
 }
 
 CableSolverParameters readCableSolverParameters(const ros::NodeHandle& node) {
-  CableSolverParameters parameters;
-  ParameterReader reader(node);
-  reader.required("scene", parameters.scene);
-  reader.optional("live", parameters.live);
-  reader.optionalPositive("live_rate", parameters.live_rate_hz, kHighestRate);
-  reader.finish();
-  return parameters;
+  return readParameters<CableSolverParameters>(
+      node, [](ParameterReader& reader, CableSolverParameters& parameters) {
+        reader.optional("live", parameters.live);
+        reader.optionalPositive("live_rate", parameters.live_rate_hz, kHighestRate);
+        reader.optional("output_directory", parameters.output_directory);
+      });
 }
 
 }  // namespace cable_variation_ros

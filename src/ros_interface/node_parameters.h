@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include <ros_interface/output_directory.h>
+
 namespace ros {
 class NodeHandle;
 }
@@ -23,6 +25,8 @@ struct CableSolverParameters {
   std::string scene;
   bool live = false;           ///< follow the components on tf
   double live_rate_hz = 50.0;  ///< how often to look
+  /// Where files are written; made when there is something to write.
+  std::string output_directory = defaultOutputDirectory();
 };
 
 // Each reads the parameters of a node's private handle. Throws

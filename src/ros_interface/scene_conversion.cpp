@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <cable_variation/scene/moving_components.h>
+#include <ros_interface/enum_names.h>
 #include <ros_interface/message_conversion.h>
 
 namespace cable_variation_ros {
@@ -42,50 +43,6 @@ CableInfo toInfo(const Cable& cable) {
   return info;
 }
 
-const char* toString(Joint::Type type) {
-  switch (type) {
-    case Joint::Type::fixed:
-      return "fixed";
-    case Joint::Type::pivot:
-      return "pivot";
-    case Joint::Type::hinge:
-      return "hinge";
-  }
-  return "";
-}
-
-const char* toString(Axis axis) {
-  switch (axis) {
-    case Axis::x:
-      return "x";
-    case Axis::y:
-      return "y";
-    case Axis::z:
-      return "z";
-  }
-  return "";
-}
-
-const char* toString(CableProperty::Property property) {
-  switch (property) {
-    case CableProperty::Property::length:
-      return "length";
-    case CableProperty::Property::radius:
-      return "radius";
-    case CableProperty::Property::EI:
-      return "EI";
-    case CableProperty::Property::GJ:
-      return "GJ";
-    case CableProperty::Property::EA:
-      return "EA";
-    case CableProperty::Property::density:
-      return "density";
-    case CableProperty::Property::rest_curvature:
-      return "rest_curvature";
-  }
-  return "";
-}
-
 /// Fills kind, target and member.
 struct DescribeTarget {
   const Scene& scene;
@@ -97,25 +54,25 @@ struct DescribeTarget {
     info.member = member;
   }
   void operator()(const ClipTranslation& t) const {
-    set("clip_translation", scene.harness.clips[t.clip].name, toString(t.axis));
+    set("clip_translation", scene.harness.clips[t.clip].name, nameOf(t.axis));
   }
   void operator()(const ClipRotation& t) const {
-    set("clip_rotation", scene.harness.clips[t.clip].name, toString(t.axis));
+    set("clip_rotation", scene.harness.clips[t.clip].name, nameOf(t.axis));
   }
   void operator()(const ClipArcLength& t) const {
     set("clip_arc_length", scene.harness.clips[t.clip].name, "");
   }
   void operator()(const CableProperty& t) const {
-    set("cable_property", scene.harness.cables[t.cable].name, toString(t.property));
+    set("cable_property", scene.harness.cables[t.cable].name, nameOf(t.property));
   }
   void operator()(const BreakoutArcLength& t) const {
     set("breakout_arc_length", scene.harness.joints[t.joint].name, "");
   }
   void operator()(const ComponentTranslation& t) const {
-    set("component_translation", scene.components[t.component].name, toString(t.axis));
+    set("component_translation", scene.components[t.component].name, nameOf(t.axis));
   }
   void operator()(const ComponentRotation& t) const {
-    set("component_rotation", scene.components[t.component].name, toString(t.axis));
+    set("component_rotation", scene.components[t.component].name, nameOf(t.axis));
   }
   void operator()(const LocatorDeviation& t) const {
     set("locator_deviation", scene.components[t.component].name, std::to_string(t.locator));
@@ -137,7 +94,7 @@ ComponentInfo toInfo(const Component& component) {
 JointInfo toInfo(const Joint& joint, const Harness& harness) {
   JointInfo info;
   info.name = joint.name;
-  info.type = toString(joint.type);
+  info.type = nameOf(joint.type);
   info.parent = harness.cables[joint.parent].name;
   info.parent_arc_length = joint.parent_arc_length;
   info.child = harness.cables[joint.child].name;
@@ -182,6 +139,27 @@ DesignVariableInfo toInfo(const DesignVariable& variable, const Scene& scene) {
   return info;
 }
 
+ToleranceRegionInfo toInfo(const ToleranceRegion& region, const Scene& scene) {
+  ToleranceRegionInfo info;
+  info.name = region.name;
+  info.shape = nameOf(region.shape);
+  for (const std::size_t variable : region.variables) {
+    info.variables.push_back(scene.design_variables[variable].name);
+  }
+  info.radius = region.radius;
+  info.uniform = region.uniform;
+  info.sigma = region.sigma;
+  return info;
+}
+
+CorrelationInfo toInfo(const Correlation& correlation, const Scene& scene) {
+  CorrelationInfo info;
+  info.first = scene.design_variables[correlation.first].name;
+  info.second = scene.design_variables[correlation.second].name;
+  info.coefficient = correlation.coefficient;
+  return info;
+}
+
 MotionInfo toInfo(const Motion& motion) {
   MotionInfo info;
   info.name = motion.name;
@@ -218,6 +196,12 @@ GetSceneResponse toResponse(const Design& design, const ComponentPoses& moved) {
   for (const PointLoad& load : harness.loads) response.loads.push_back(toInfo(load, harness));
   for (const DesignVariable& variable : scene.design_variables) {
     response.design_variables.push_back(toInfo(variable, scene));
+  }
+  for (const ToleranceRegion& region : scene.tolerance_regions) {
+    response.tolerance_regions.push_back(toInfo(region, scene));
+  }
+  for (const Correlation& correlation : scene.correlations) {
+    response.correlations.push_back(toInfo(correlation, scene));
   }
   for (const Motion& motion : scene.motions) response.motions.push_back(toInfo(motion));
   return response;

@@ -4,15 +4,21 @@
 
 #include <ros_interface/cable_markers.h>
 #include <ros_interface/clip_markers.h>
+#include <ros_interface/component_deviations.h>
 #include <ros_interface/message_conversion.h>
 #include <ros_interface/names.h>
 #include <ros_interface/solver_context.h>
 
 namespace cable_variation_ros {
 
+using cable_variation::ComponentDeviations;
+
 SolverPublisher::SolverPublisher(ros::NodeHandle& node)
     : cables_(node, kCablesTopic),
-      shapes_(node.advertise<cable_variation::CableShapes>(kShapesTopic, 1, true)) {}
+      shapes_(node.advertise<cable_variation::CableShapes>(kShapesTopic, 1, true)),
+      deviations_(node.advertise<ComponentDeviations>(kComponentDeviationsTopic, 1, true)) {
+  deviations_.publish(deviations_shown_);
+}
 
 void SolverPublisher::publish(const SolverContext& context) {
   visualization_msgs::MarkerArray markers = cableMarkers(context.equilibrium(), context.harness());
@@ -20,6 +26,10 @@ void SolverPublisher::publish(const SolverContext& context) {
   markers.markers.insert(markers.markers.end(), clips.markers.begin(), clips.markers.end());
   cables_.publish(markers);
   shapes_.publish(toCableShapes(context.equilibrium(), context.harness(), ros::Time::now()));
+  const ComponentDeviations deviations = toMessage(componentDeviations(context.design(), context.moved()));
+  if (deviations == deviations_shown_) return;
+  deviations_.publish(deviations);
+  deviations_shown_ = deviations;
 }
 
 }  // namespace cable_variation_ros

@@ -2,6 +2,8 @@
 
 #include <ros/publisher.h>
 
+#include <cable_variation/ComponentDeviations.h>
+
 #include <ros_interface/marker_channel.h>
 
 namespace ros {
@@ -12,7 +14,8 @@ namespace cable_variation_ros {
 
 class SolverContext;
 
-/// Shows the design in force: ~cables (markers of cables and clips) and ~shapes.
+/// Shows the design in force: ~cables (markers of cables and clips), ~shapes and
+/// ~component_deviations.
 class SolverPublisher {
  public:
   explicit SolverPublisher(ros::NodeHandle& node);
@@ -21,6 +24,8 @@ class SolverPublisher {
  private:
   MarkerChannel cables_;
   ros::Publisher shapes_;
+  ros::Publisher deviations_;
+  cable_variation::ComponentDeviations deviations_shown_;
 };
 
 }  // namespace cable_variation_ros

@@ -1,7 +1,6 @@
 #include <ros_interface/static_geometry.h>
 
 #include <cable_variation/scene/moving_components.h>
-#include <ros_interface/component_markers.h>
 #include <ros_interface/message_conversion.h>
 #include <ros_interface/names.h>
 #include <ros_interface/scene_loading.h>
@@ -9,20 +8,19 @@
 namespace cable_variation_ros {
 
 StaticGeometry::StaticGeometry(ros::NodeHandle node, const StaticGeometryParameters& parameters)
-    : components_(node, kComponentsTopic) {
-  const cable_variation::Scene scene = loadScene(parameters.scene);
-  const std::set<std::string> moving = movingComponents(scene);
+    : scene_(loadScene(parameters.scene)) {
+  const std::set<std::string> moving = movingComponents(scene_);
   std::set<std::string> fixed;
   const ros::Time now = ros::Time::now();
   std::vector<geometry_msgs::TransformStamped> transforms = {
       toTransform(cable_variation::Pose(), kWorldFrame, "scene", now)};
-  for (const cable_variation::Component& component : scene.components) {
+  for (const cable_variation::Component& component : scene_.components) {
     if (moving.count(component.name) != 0) continue;
     fixed.insert(component.name);
     transforms.push_back(toTransform(component.pose, component.parent, component.name, now));
   }
   broadcaster_.sendTransform(transforms);
-  components_.publish(componentMarkers(scene, fixed));
+  display_ = std::make_unique<ComponentDisplay>(node, scene_, fixed);
 }
 
 }  // namespace cable_variation_ros

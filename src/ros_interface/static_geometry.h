@@ -1,9 +1,11 @@
 #pragma once
 
+#include <memory>
+
 #include <ros/node_handle.h>
 #include <tf2_ros/static_transform_broadcaster.h>
 
-#include <ros_interface/marker_channel.h>
+#include <ros_interface/component_display.h>
 #include <ros_interface/node_parameters.h>
 
 namespace cable_variation_ros {
@@ -16,7 +18,8 @@ class StaticGeometry {
   StaticGeometry(ros::NodeHandle node, const StaticGeometryParameters& parameters);
 
  private:
-  MarkerChannel components_;
+  cable_variation::Scene scene_;
+  std::unique_ptr<ComponentDisplay> display_;
   tf2_ros::StaticTransformBroadcaster broadcaster_;
 };
 

@@ -1,0 +1,52 @@
+"""What the command line clients of cable_solver share."""
+import argparse
+import math
+import sys
+
+import rosgraph
+import rospy
+from cable_variation.msg import Status
+
+UNITS = {'deg': math.pi / 180, 'mm': 1e-3, 'rad': 1.0, 'm': 1.0, '': 1.0}
+
+
+def parse_variable(text):
+    """NAME=VALUE, in SI units, mm or deg, as (name, SI value)."""
+    name, equals, value = text.partition('=')
+    number = value.rstrip('abcdefghijklmnopqrstuvwxyz ')
+    unit = value[len(number):].strip()
+    if not equals or unit not in UNITS:
+        raise argparse.ArgumentTypeError("'%s': expected NAME=VALUE, in SI units, mm or deg" % text)
+    try:
+        return name, float(number) * UNITS[unit]
+    except ValueError:
+        raise argparse.ArgumentTypeError("'%s': '%s' is not a number" % (text, number))
+
+
+def start(name):
+    """Becomes a node; SystemExit without a ROS master."""
+    if not rosgraph.is_master_online():
+        sys.exit('no ROS master at %s' % rosgraph.get_master_uri())
+    rospy.init_node(name, anonymous=True)
+
+
+def call(node, service, kind, **request):
+    """The answer of a service; SystemExit with its message unless it succeeded."""
+    name = rospy.resolve_name('%s/%s' % (node, service))
+    try:
+        rospy.wait_for_service(name, timeout=30)
+        answer = rospy.ServiceProxy(name, kind)(**request)
+    except (rospy.ROSException, rospy.ServiceException) as error:
+        sys.exit('%s: %s' % (name, error))
+    if answer.status.code != Status.SUCCESS:
+        sys.exit('%s: status %d: %s' % (name, answer.status.code, answer.status.message))
+    return answer
+
+
+def table(header, rows, left=1):
+    """Prints columns as wide as they need to be, the first `left` of them flush left."""
+    widths = [max(len(row[i]) for row in [header] + rows) for i in range(len(header))]
+    for row in [header] + rows:
+        cells = [cell.ljust(width) if i < left else cell.rjust(width)
+                 for i, (cell, width) in enumerate(zip(row, widths))]
+        print(('  ' + '  '.join(cells)).rstrip())
