@@ -296,9 +296,13 @@ Equilibrium EquilibriumSolver::Impl::update(const Harness& harness) {
 
 // The system ends with its Hessian factorised at the equilibrium.
 LinearResponse EquilibriumSolver::Impl::linearise() {
+  // The error of the derivatives is the shift over the softest motion's share of the bending stiffness.
+  constexpr double kSmallestShift = 1e-12;
   if (!problem || unstable) throw std::logic_error("there is no equilibrium to differentiate");
-  problem->system->evaluate(problem->configuration, RodSystem::Hessian::exact);
-  problem->system->factorise(kNeutralShift, problem->system->bendingMetric());
+  for (double shift : {kSmallestShift, kNeutralShift}) {
+    problem->system->evaluate(problem->configuration, RodSystem::Hessian::exact);
+    if (problem->system->factorise(shift, problem->system->bendingMetric()) == 0) break;
+  }
   return LinearResponse(*problem->system, problem->configuration);
 }
 

@@ -204,31 +204,11 @@ void LinearResponse::turnAxes(const HarnessChange& change, Eigen::VectorXd& forc
 
 HarnessResponse LinearResponse::to(const HarnessChange& change) {
   RodSystem& system = system_;
-  const std::size_t spans = system.spans_.size();
   const bool is_explicit = differentiateExplicitly(change);
   HarnessResponse response;
   response.motion = is_explicit ? force(change) : system.zeroField();
-  std::vector<Vector14d> ends(spans, Vector14d::Zero());
-  if (is_explicit) {
-    system.condense(response.motion, ends);
-  } else {
-    for (RodSystem::Batch& batch : system.batches_) {
-      std::fill(&batch.scratch[0][0], &batch.scratch[0][0] + kDofs * kLanes, 0.0);
-    }
-    for (RodSystem::SpanData& data : system.spans_) data.nodes.setZero();
-  }
-  std::vector<Vector14d> given(spans, Vector14d::Zero());
-  for (std::size_t i = 0; i < spans; ++i) {
-    given[i].head<6>() = change.carried.col(static_cast<Eigen::Index>(system.topology_.spans[i].left));
-    given[i].segment<6>(6) = change.carried.col(static_cast<Eigen::Index>(system.topology_.spans[i].right));
-    system.addToUnknowns(i, ends[i] - system.spans_[i].reduced * given[i], response.motion.unknowns);
-  }
   turnAxes(change, response.motion.unknowns);
-  response.motion.unknowns = system.stations_->solve(response.motion.unknowns);
-  for (std::size_t i = 0; i < spans; ++i) {
-    ends[i] = given[i] + system.endMotion(i, response.motion.unknowns);
-  }
-  system.expand(ends, response.motion);
+  system.solveCarried(change.carried, response.motion);
 
   response.arc_lengths = change.arc_lengths;
   Eigen::VectorXd slides = Eigen::VectorXd::Zero(response.arc_lengths.size());
@@ -259,23 +239,15 @@ void LinearResponse::sectionForces(HarnessResponse& response, bool is_explicit) 
     forces.resize(6, static_cast<Eigen::Index>(elements) + 1);
     for (std::size_t boundary = 0; boundary <= elements; ++boundary) {
       const std::size_t e = boundary == 0 ? 0 : boundary - 1;
-      const int row = boundary == 0 ? kInner : kInner + 6;
       const double sign = boundary == 0 ? -1.0 : 1.0;
       const RodSystem::Element at = system_.elementOf(i, e);
       const RodSystem::Batch& batch = system_.batches_[at.batch];
       const auto first = static_cast<Eigen::Index>(3 * e);
-      Vector6d rate = Vector6d::Zero();
-      for (int r = 0; r < 6; ++r) {
-        if (is_explicit) rate[r] = explicit_[at.batch].gradient[row + r][at.lane];
-        for (int end = 0; end < 2; ++end) {
-          for (int c = 0; c < 6; ++c) {
-            const int i_row = std::max(row + r, kInner + 6 * end + c);
-            const int i_column = std::min(row + r, kInner + 6 * end + c);
-            rate[r] += batch.factor.matrix[i_row * (i_row + 1) / 2 + i_column][at.lane] *
-                       response.motion.spans[i](c, first + 3 * end);
-          }
-        }
-      }
+      const int side = boundary == 0 ? 0 : 1;
+      const int row = kInner + 6 * side;
+      Vector6d rate = system_.endStiffness(at, side, 0) * response.motion.spans[i].col(first) +
+                      system_.endStiffness(at, side, 1) * response.motion.spans[i].col(first + 3);
+      for (int r = 0; is_explicit && r < 6; ++r) rate[r] += explicit_[at.batch].gradient[row + r][at.lane];
       Eigen::Vector3d moment;
       for (int k = 0; k < 3; ++k) moment[k] = batch.energy.gradient[row + 3 + k][at.lane];
       const auto node = static_cast<Eigen::Index>(3 * boundary);

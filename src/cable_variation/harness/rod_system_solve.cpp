@@ -215,7 +215,22 @@ Vector14d RodSystem::endMotion(std::size_t span, const Eigen::VectorXd& unknowns
   return motion;
 }
 
-void RodSystem::condense(NodalField& force, std::vector<Vector14d>& reduced) {
+// Of an element with its inner nodes eliminated: the force at one end (0 left, 1 right) by the motion of
+// another.
+Matrix6d RodSystem::endStiffness(const Element& element, int row_end, int column_end) const {
+  Matrix6d block;
+  const auto& matrix = batches_[element.batch].factor.matrix;
+  for (int c = 0; c < 6; ++c) {
+    for (int r = 0; r < 6; ++r) {
+      const int row = kInner + 6 * row_end + r, column = kInner + 6 * column_end + c;
+      block(r, c) = matrix[row >= column ? packed(row, column) : packed(column, row)][element.lane];
+    }
+  }
+  return block;
+}
+
+void RodSystem::condense(NodalField& force, const std::vector<Vector14d>& carried,
+                         std::vector<Vector14d>& reduced) {
   const element::Kernel& kernel = element::kernel();
   for (std::size_t i = 0; i < spans_.size(); ++i) {
     for (std::size_t e = 0; e < spans_[i].elements; ++e) {
@@ -255,6 +270,12 @@ void RodSystem::condense(NodalField& force, std::vector<Vector14d>& reduced) {
         const double y = batch.factor.inverse_pivot[k][at.lane] * batch.scratch[k][at.lane];
         slide -= y * Eigen::Vector2d(batch.slide[0][k][at.lane], batch.slide[1][k][at.lane]);
       }
+    }
+    if (data.near_held && !carried.empty()) {
+      // the chain knows nothing of a held end: its motion acts as a force on the next node
+      const int near = data.reversed ? 1 : 0;
+      const Element first = elementOf(i, data.reversed ? data.elements - 1 : 0);
+      data.nodes.col(1) -= endStiffness(first, 1 - near, near) * carried[i].segment<6>(6 * near);
     }
     data.chain.condense(data.nodes, slide);
     reduced[i].head<6>() = data.nodes.col(chainColumn(0));
@@ -311,7 +332,7 @@ void RodSystem::expand(const std::vector<Vector14d>& ends, NodalField& motion) {
 void RodSystem::solve(const NodalField& force, NodalField& motion) {
   motion = force;
   std::vector<Vector14d> ends;
-  condense(motion, ends);
+  condense(motion, {}, ends);
   for (std::size_t i = 0; i < spans_.size(); ++i) addToUnknowns(i, ends[i], motion.unknowns);
   motion.unknowns = stations_->solve(motion.unknowns);
   for (std::size_t i = 0; i < spans_.size(); ++i) ends[i] = endMotion(i, motion.unknowns);
@@ -320,14 +341,19 @@ void RodSystem::solve(const NodalField& force, NodalField& motion) {
 
 void RodSystem::follow(const Eigen::Matrix<double, 6, Eigen::Dynamic>& carried, NodalField& motion) {
   motion = zeroField();
-  std::vector<Vector14d> ends;
-  condense(motion, ends);
-  std::vector<Vector14d> given(spans_.size());
+  solveCarried(carried, motion);
+}
+
+void RodSystem::solveCarried(const Eigen::Matrix<double, 6, Eigen::Dynamic>& carried, NodalField& motion) {
+  std::vector<Vector14d> given(spans_.size(), Vector14d::Zero());
   for (std::size_t i = 0; i < spans_.size(); ++i) {
-    given[i].setZero();
     given[i].head<6>() = carried.col(static_cast<Eigen::Index>(topology_.spans[i].left));
     given[i].segment<6>(6) = carried.col(static_cast<Eigen::Index>(topology_.spans[i].right));
-    addToUnknowns(i, -(spans_[i].reduced * given[i]), motion.unknowns);
+  }
+  std::vector<Vector14d> ends;
+  condense(motion, given, ends);
+  for (std::size_t i = 0; i < spans_.size(); ++i) {
+    addToUnknowns(i, ends[i] - spans_[i].reduced * given[i], motion.unknowns);
   }
   motion.unknowns = stations_->solve(motion.unknowns);
   for (std::size_t i = 0; i < spans_.size(); ++i) ends[i] = given[i] + endMotion(i, motion.unknowns);
