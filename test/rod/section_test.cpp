@@ -23,6 +23,9 @@ TEST(SolidSection, HasTheStiffnessOfACircle) {
   EXPECT_DOUBLE_EQ(s.GJ, 0.8e6 * M_PI * 1e-8 / 2.0);
   EXPECT_DOUBLE_EQ(s.mass_per_length, 1000.0 * M_PI * 1e-4);
   EXPECT_EQ(s.radius, 0.01);
+  EXPECT_EQ(s.young_modulus, 2e6);
+  EXPECT_EQ(s.shear_modulus, 0.8e6);
+  EXPECT_EQ(s.width, 0.0);
 }
 
 TEST(HoseSection, IsTheOuterCircleLessTheInner) {
@@ -41,6 +44,8 @@ TEST(RectangleSection, BendsAboutItsAxesByWidthAndHeight) {
   EXPECT_NEAR(s.EI_y, 2e6 * 0.02 * 1e-6 / 12.0, 1e-15);
   EXPECT_NEAR(s.EI_z, 2e6 * 0.01 * 8e-6 / 12.0, 1e-15);
   EXPECT_NEAR(s.radius, std::hypot(0.01, 0.005), 1e-15);
+  EXPECT_EQ(s.width, 0.02);
+  EXPECT_EQ(s.height, 0.01);
 }
 
 // Timoshenko and Goodier, table of k₁ in J = k₁ a b³: 0.1406 for a square, 0.196 at 3:2, 0.229 at 2:1, 0.312
@@ -58,7 +63,8 @@ TEST(RectangleSection, HasSaintVenantsTorsionConstant) {
 }
 
 TEST(Interpolate, BlendsEveryMember) {
-  const Section a{1, 2, 3, 4, 5, 6, 7, 8}, b{11, 22, 33, 44, 55, 66, 77, 88};
+  const Section a{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12},
+      b{11, 22, 33, 44, 55, 66, 77, 88, 99, 110, 121, 132};
   const Section m = interpolate(a, b, 0.3);
   EXPECT_DOUBLE_EQ(m.EA, 4.0);
   EXPECT_DOUBLE_EQ(m.GA_y, 8.0);
@@ -68,6 +74,22 @@ TEST(Interpolate, BlendsEveryMember) {
   EXPECT_DOUBLE_EQ(m.EI_z, 24.0);
   EXPECT_DOUBLE_EQ(m.mass_per_length, 28.0);
   EXPECT_DOUBLE_EQ(m.radius, 32.0);
+  EXPECT_DOUBLE_EQ(m.young_modulus, 36.0);
+  EXPECT_DOUBLE_EQ(m.shear_modulus, 40.0);
+  EXPECT_DOUBLE_EQ(m.width, 44.0);
+  EXPECT_DOUBLE_EQ(m.height, 48.0);
+}
+
+// Where one side's modulus is not known, or one is round, the blend does not pretend to know.
+TEST(Interpolate, KnowsAModulusOrARectangleOnlyBetweenTwo) {
+  const Section rectangle = rectangleSection(0.02, 0.01, kMaterial);
+  Section measured = solidSection(0.01, kMaterial);
+  measured.young_modulus = measured.shear_modulus = 0.0;
+  const Section m = interpolate(rectangle, measured, 0.5);
+  EXPECT_EQ(m.young_modulus, 0.0);
+  EXPECT_EQ(m.shear_modulus, 0.0);
+  EXPECT_EQ(m.width, 0.0);
+  EXPECT_EQ(m.height, 0.0);
 }
 
 template <class Call>

@@ -207,6 +207,84 @@ TEST(SceneReader, designVariables) {
   EXPECT_NEAR(sampled.distribution_values[0], -0.0004, 1e-15);
 }
 
+using Indices = std::vector<std::size_t>;  // everything.yaml: main 0, branch 1, hose 2, stepped 3
+
+TEST(SceneReader, measuresOfDistance) {
+  const auto& measures = everything().measures;
+  const Measure& to_bracket = named(measures, "to_bracket");
+  EXPECT_EQ(to_bracket.type, Measure::Type::distance);
+  EXPECT_EQ(to_bracket.unit, "m");
+  EXPECT_EQ(to_bracket.cables, (Indices{0, 1}));
+  EXPECT_EQ(to_bracket.component, std::size_t{1});
+  EXPECT_DOUBLE_EQ(to_bracket.skip_near_clips, 0.03);
+  EXPECT_DOUBLE_EQ(*to_bracket.lower, 0.005);
+  EXPECT_FALSE(to_bracket.upper);
+
+  const Measure& to_branch = named(measures, "to_branch");
+  EXPECT_EQ(to_branch.cables, (Indices{0, 2, 3})) << "all others";
+  EXPECT_EQ(to_branch.other_cables, (Indices{1}));
+  EXPECT_FALSE(to_branch.component);
+  // main of radius 4 mm and branch of 6 x 2 mm are joined
+  EXPECT_DOUBLE_EQ(to_branch.skip_near_joints, 4.0 * (0.004 + std::hypot(0.003, 0.001)));
+  EXPECT_DOUBLE_EQ(named(measures, "apart").skip_near_joints, 0.025);
+  EXPECT_DOUBLE_EQ(named(measures, "apart").skip_near_clips, 0.0);
+}
+
+TEST(SceneReader, measuresOfShape) {
+  const auto& measures = everything().measures;
+  const Measure& same = named(measures, "same");
+  EXPECT_EQ(same.type, Measure::Type::similarity);
+  EXPECT_EQ(same.cables, (Indices{0, 1, 2, 3}));
+  EXPECT_FALSE(same.surface);
+  EXPECT_TRUE(named(measures, "same_surface").surface);
+  EXPECT_EQ(named(measures, "same_surface").cables, (Indices{0}));
+
+  const Measure& height = named(measures, "height");
+  EXPECT_EQ(height.cables, (Indices{0}));
+  EXPECT_DOUBLE_EQ(*height.arc_length, 0.1);
+  expectNear(height.direction, Vector3d::UnitZ());
+  EXPECT_DOUBLE_EQ(*height.upper, 1.0);
+  EXPECT_EQ(named(measures, "bend").type, Measure::Type::bend_radius);
+
+  const Measure& twist = named(measures, "twist");
+  EXPECT_EQ(twist.unit, "rad");
+  EXPECT_DOUBLE_EQ(twist.from, 0.1);
+  EXPECT_DOUBLE_EQ(twist.to, 0.33);
+  EXPECT_NEAR(*twist.upper, 20.0 * kPi / 180.0, 1e-15);
+}
+
+TEST(SceneReader, measuresOfLoad) {
+  const auto& measures = everything().measures;
+  EXPECT_DOUBLE_EQ(*named(measures, "strain").upper, 0.05);
+  EXPECT_EQ(named(measures, "strain").unit, "1");
+  EXPECT_EQ(named(measures, "stress").cables, (Indices{0, 3}));
+  EXPECT_DOUBLE_EQ(*named(measures, "stress").upper, 2e6);
+  EXPECT_EQ(named(measures, "stress").unit, "Pa");
+
+  const Measure& pull = named(measures, "pull");
+  EXPECT_EQ(pull.type, Measure::Type::section_force);
+  EXPECT_EQ(pull.unit, "N");
+  EXPECT_DOUBLE_EQ(*pull.arc_length, 0.312);
+  EXPECT_EQ(pull.axis, Axis::x);
+  EXPECT_FALSE(named(measures, "moment").arc_length);
+  EXPECT_FALSE(named(measures, "moment").axis);
+  EXPECT_EQ(named(measures, "moment").unit, "N m");
+
+  EXPECT_EQ(named(measures, "clip_pull").clip, 0U);
+  EXPECT_EQ(named(measures, "clip_moment").clip, 5U);
+  EXPECT_EQ(named(measures, "clip_moment").axis, Axis::z);
+  EXPECT_EQ(named(measures, "slide").clip, 6U);
+  EXPECT_EQ(named(measures, "energy").unit, "J");
+  EXPECT_DOUBLE_EQ(*named(measures, "softness").lower, 100.0);
+  EXPECT_EQ(named(measures, "softness").unit, "N/m");
+}
+
+TEST(SceneReader, measureTypesAreNamedAsInTheFile) {
+  EXPECT_STREQ(toString(Measure::Type::distance), "distance");
+  EXPECT_STREQ(toString(Measure::Type::section_moment), "section_moment");
+  EXPECT_STREQ(toString(Measure::Type::eigenvalue), "eigenvalue");
+}
+
 TEST(SceneReader, motions) {
   const Motion& turn = named(everything().motions, "turn");
   EXPECT_EQ(turn.component, "engine");

@@ -50,6 +50,8 @@ Section sectionOf(const Geometry& geometry, const Material& material, double she
   section.EI_z = E * geometry.second_moment_z;
   section.mass_per_length = material.density * geometry.area;
   section.radius = geometry.radius;
+  section.young_modulus = E;
+  section.shear_modulus = G;
   return section;
 }
 
@@ -91,13 +93,18 @@ Section hoseSection(double outer_radius, double inner_radius, const Material& ma
 Section rectangleSection(double width, double height, const Material& material, double shear_correction) {
   requirePositive("width", width);
   requirePositive("height", height);
-  return sectionOf({width * height, width * std::pow(height, 3) / 12.0, height * std::pow(width, 3) / 12.0,
-                    rectangleTorsionConstant(width, height), 0.5 * std::hypot(width, height)},
-                   material, shear_correction);
+  Section section =
+      sectionOf({width * height, width * std::pow(height, 3) / 12.0, height * std::pow(width, 3) / 12.0,
+                 rectangleTorsionConstant(width, height), 0.5 * std::hypot(width, height)},
+                material, shear_correction);
+  section.width = width;
+  section.height = height;
+  return section;
 }
 
 Section interpolate(const Section& a, const Section& b, double t) {
   const auto blend = [t](double x, double y) { return (1.0 - t) * x + t * y; };
+  const auto blendKnown = [&](double x, double y) { return x > 0.0 && y > 0.0 ? blend(x, y) : 0.0; };
   return {blend(a.EA, b.EA),
           blend(a.GA_y, b.GA_y),
           blend(a.GA_z, b.GA_z),
@@ -105,7 +112,11 @@ Section interpolate(const Section& a, const Section& b, double t) {
           blend(a.EI_y, b.EI_y),
           blend(a.EI_z, b.EI_z),
           blend(a.mass_per_length, b.mass_per_length),
-          blend(a.radius, b.radius)};
+          blend(a.radius, b.radius),
+          blendKnown(a.young_modulus, b.young_modulus),
+          blendKnown(a.shear_modulus, b.shear_modulus),
+          blendKnown(a.width, b.width),
+          blendKnown(a.height, b.height)};
 }
 
 void validate(const Section& section) {
@@ -117,6 +128,10 @@ void validate(const Section& section) {
   requirePositive("EI_z", section.EI_z);
   requireNotNegative("mass_per_length", section.mass_per_length);
   requireNotNegative("radius", section.radius);
+  requireNotNegative("young_modulus", section.young_modulus);
+  requireNotNegative("shear_modulus", section.shear_modulus);
+  requireNotNegative("width", section.width);
+  requireNotNegative("height", section.height);
 }
 
 }  // namespace cable_variation

@@ -22,6 +22,10 @@ struct Section {
   double EI_z = 0.0;             ///< bending stiffness about z [N m²]
   double mass_per_length = 0.0;  ///< ρA [kg/m]
   double radius = 0.0;           ///< of the smallest circle about the centre that holds the section [m]
+  double young_modulus = 0.0;    ///< E [Pa], for stresses; 0: unknown, the stiffness was given as such
+  double shear_modulus = 0.0;    ///< G [Pa], likewise
+  double width = 0.0;            ///< of a rectangle, along y [m]; 0: round, or not known
+  double height = 0.0;           ///< of a rectangle, along z [m]
 };
 
 /// Solid circle of `radius` [m]. Shear correction κ as given (1: none).

@@ -96,6 +96,8 @@ void scaleSection(Section& section, const CableProperty& target, double factor) 
   switch (target.property) {
     case Property::radius:
       section.radius *= factor;
+      section.width *= factor;
+      section.height *= factor;
       if (target.similar) {
         const double area = factor * factor;
         const double inertia = area * area;

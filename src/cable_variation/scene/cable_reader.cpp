@@ -115,13 +115,8 @@ void readMaterials(const YamlCursor& map, ReadContext& context) {
 }
 
 void readCables(const YamlCursor& list, ReadContext& context) {
-  for (const YamlCursor& entry : list.items()) {
-    const YamlCursor item = context.cables.add(entry);
-    Cable cable;
-    cable.name = context.cables.names().back();
-    readCable(item, cable, context);
-    context.scene.harness.cables.push_back(std::move(cable));
-  }
+  readEach(list, context.cables, context.scene.harness.cables,
+           [&](const YamlCursor& item, Cable& cable) { readCable(item, cable, context); });
 }
 
 }  // namespace cable_variation

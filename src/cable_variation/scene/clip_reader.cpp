@@ -9,8 +9,6 @@ namespace {
 
 using Keys = std::vector<std::string>;
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
 Axis readAxis(const YamlCursor& clip, const std::string& key) {
   return static_cast<Axis>(clip.choice(key, {"x", "y", "z"}));
 }
@@ -117,7 +115,7 @@ void readPlace(const YamlCursor& item, const ReadContext& context, std::size_t& 
   const bool known = found != NameTable::npos;
   cable = known ? found : 0;
   if (const auto at = item.require("at")) {
-    arc_length = readArcLength(*at, known ? context.scene.harness.cables[found].length : kNone);
+    arc_length = readArcLength(*at, context.cableLength(found));
   }
 }
 
@@ -151,29 +149,20 @@ void readClip(const YamlCursor& item, Clip& clip, ClipMount& mount, ReadContext&
 }  // namespace
 
 void readClips(const YamlCursor& list, ReadContext& context) {
-  for (const YamlCursor& entry : list.items()) {
-    const YamlCursor item = context.clips.add(entry);
-    Clip clip;
+  readEach(list, context.clips, context.scene.harness.clips, [&](const YamlCursor& item, Clip& clip) {
     ClipMount mount;
-    clip.name = context.clips.names().back();
     readClip(item, clip, mount, context);
-    context.scene.harness.clips.push_back(std::move(clip));
     context.scene.clip_mounts.push_back(std::move(mount));
-  }
+  });
 }
 
 void readLoads(const YamlCursor& list, ReadContext& context) {
-  for (const YamlCursor& entry : list.items()) {
-    const YamlCursor item = context.loads.add(entry);
-    PointLoad load;
-    load.name = context.loads.names().back();
-    if (item.checkKeys({"name", "cable", "at", "force", "moment"})) {
-      readPlace(item, context, load.cable, load.arc_length);
-      readForces(item, load);
-      if (!item.has("force") && !item.has("moment")) item.fail("'force' or 'moment' is missing");
-    }
-    context.scene.harness.loads.push_back(std::move(load));
-  }
+  readEach(list, context.loads, context.scene.harness.loads, [&](const YamlCursor& item, PointLoad& load) {
+    if (!item.checkKeys({"name", "cable", "at", "force", "moment"})) return;
+    readPlace(item, context, load.cable, load.arc_length);
+    readForces(item, load);
+    if (!item.has("force") && !item.has("moment")) item.fail("'force' or 'moment' is missing");
+  });
 }
 
 }  // namespace cable_variation

@@ -1,22 +1,8 @@
-#include <limits>
-
 #include <cable_variation/scene/pose_reader.h>
 #include <cable_variation/scene/read_context.h>
 
 namespace cable_variation {
 namespace {
-
-double lengthOf(const ReadContext& context, std::size_t cable) {
-  return cable == NameTable::npos ? std::numeric_limits<double>::quiet_NaN()
-                                  : context.scene.harness.cables[cable].length;
-}
-
-Eigen::Vector3d readHingeAxis(const YamlCursor& joint) {
-  const auto axis = joint.require("axis");
-  if (!axis) return Eigen::Vector3d::UnitZ();
-  if (axis->isList()) return readDirection(*axis);
-  return Eigen::Vector3d::Unit(static_cast<int>(axis->choice({"x", "y", "z"})));
-}
 
 void readJoint(const YamlCursor& item, Joint& joint, const ReadContext& context) {
   if (!item.checkKeys({"name", "type", "parent", "at", "child", "child_at", "rotation", "axis"})) return;
@@ -25,9 +11,9 @@ void readJoint(const YamlCursor& item, Joint& joint, const ReadContext& context)
   const std::size_t parent = context.cables.find(item, "parent");
   const std::size_t child = context.cables.find(item, "child");
   if (const auto at = item.require("at"))
-    joint.parent_arc_length = readArcLength(*at, lengthOf(context, parent));
+    joint.parent_arc_length = readArcLength(*at, context.cableLength(parent));
   if (const auto at = item.find("child_at"))
-    joint.child_arc_length = readArcLength(*at, lengthOf(context, child));
+    joint.child_arc_length = readArcLength(*at, context.cableLength(child));
   joint.parent = parent == NameTable::npos ? 0 : parent;
   joint.child = child == NameTable::npos ? 0 : child;
   if (parent == child && parent != NameTable::npos) {
@@ -39,7 +25,7 @@ void readJoint(const YamlCursor& item, Joint& joint, const ReadContext& context)
     if (rotation->checkKeys(orientationKeys())) joint.rotation = readOrientation(*rotation);
   }
   if (joint.type == Joint::Type::hinge) {
-    joint.axis = readHingeAxis(item);
+    if (const auto axis = item.require("axis")) joint.axis = readAxisOrDirection(*axis);
   } else if (item.has("axis")) {
     item.find("axis")->fail("it goes with a hinge");
   }
@@ -48,13 +34,8 @@ void readJoint(const YamlCursor& item, Joint& joint, const ReadContext& context)
 }  // namespace
 
 void readJoints(const YamlCursor& list, ReadContext& context) {
-  for (const YamlCursor& entry : list.items()) {
-    const YamlCursor item = context.joints.add(entry);
-    Joint joint;
-    joint.name = context.joints.names().back();
-    readJoint(item, joint, context);
-    context.scene.harness.joints.push_back(std::move(joint));
-  }
+  readEach(list, context.joints, context.scene.harness.joints,
+           [&](const YamlCursor& item, Joint& joint) { readJoint(item, joint, context); });
 }
 
 }  // namespace cable_variation

@@ -40,13 +40,8 @@ void readMotion(const YamlCursor& item, Motion& motion, const ReadContext& conte
 }  // namespace
 
 void readMotions(const YamlCursor& list, ReadContext& context) {
-  for (const YamlCursor& entry : list.items()) {
-    const YamlCursor item = context.motions.add(entry);
-    Motion motion;
-    motion.name = context.motions.names().back();
-    readMotion(item, motion, context);
-    context.scene.motions.push_back(std::move(motion));
-  }
+  readEach(list, context.motions, context.scene.motions,
+           [&](const YamlCursor& item, Motion& motion) { readMotion(item, motion, context); });
 }
 
 }  // namespace cable_variation

@@ -84,6 +84,11 @@ Pose readPose(const YamlCursor& cursor) {
   return pose;
 }
 
+Eigen::Vector3d readAxisOrDirection(const YamlCursor& cursor) {
+  if (cursor.isList()) return readDirection(cursor);
+  return Vector3d::Unit(static_cast<int>(cursor.choice({"x", "y", "z"})));
+}
+
 Eigen::Vector3d readDirection(const YamlCursor& cursor) {
   const Vector3d direction = cursor.vector(quantity::number);
   if (!direction.allFinite()) return Vector3d::UnitX();

@@ -19,6 +19,9 @@ Eigen::Quaterniond readOrientation(const YamlCursor& cursor);
 /// {position, orientation in one of the ways above}
 Pose readPose(const YamlCursor& cursor);
 
+/// x, y, z or a direction. As readDirection().
+Eigen::Vector3d readAxisOrDirection(const YamlCursor& cursor);
+
 /// A direction, normalised. A fault if its length is 0. The x axis after a fault.
 Eigen::Vector3d readDirection(const YamlCursor& cursor);
 

@@ -21,6 +21,8 @@ const Quantity force{"a force", "N", "10 N", {1, 1, -2, 0}};
 const Quantity moment{"a moment", "N m", "0.1 N m", {1, 2, -2, 0}};
 const Quantity acceleration{"an acceleration", "m/s^2", "9.81 m/s^2", {0, 1, -2, 0}};
 const Quantity pressure{"a modulus", "Pa", "100 MPa", {1, -1, -2, 0}};
+const Quantity stress{"a stress", "Pa", "2 MPa", {1, -1, -2, 0}};
+const Quantity energy{"an energy", "J", "0.1 J", {1, 2, -2, 0}};
 const Quantity density{"a density", "kg/m^3", "1.2 g/cm^3", {1, -3, 0, 0}};
 const Quantity mass_per_length{"a mass per length", "kg/m", "240 g/m", {1, -1, 0, 0}};
 const Quantity stretch_stiffness{"a stretch or shear stiffness", "N", "1200 N", {1, 1, -2, 0}};

@@ -22,8 +22,8 @@ struct Quantity {
 };
 
 namespace quantity {
-extern const Quantity number, length, angle, force, moment, acceleration, pressure, density, mass_per_length,
-    stretch_stiffness, bending_stiffness, spring, torsion_spring, curvature;
+extern const Quantity number, length, angle, force, moment, acceleration, pressure, stress, density, energy,
+    mass_per_length, stretch_stiffness, bending_stiffness, spring, torsion_spring, curvature;
 }  // namespace quantity
 
 /// Values that make physical sense.

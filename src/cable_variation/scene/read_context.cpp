@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <limits>
 
 namespace cable_variation {
 namespace {
@@ -46,6 +47,11 @@ std::size_t NameTable::find(const YamlCursor& cursor) const {
 std::size_t NameTable::find(const YamlCursor& cursor, const std::string& key) const {
   const auto value = cursor.require(key);
   return value ? find(*value) : npos;
+}
+
+double ReadContext::cableLength(std::size_t cable) const {
+  return cable == NameTable::npos ? std::numeric_limits<double>::quiet_NaN()
+                                  : scene.harness.cables[cable].length;
 }
 
 double readArcLength(const YamlCursor& cursor, double cable_length) {

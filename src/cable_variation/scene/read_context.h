@@ -54,15 +54,31 @@ struct ReadContext {
   NameTable joints{"joint"};
   NameTable loads{"load"};
   NameTable design_variables{"design variable"};
+  NameTable measures{"measure"};
   NameTable motions{"motion"};
   std::map<std::string, Material> materials;
   std::map<std::size_t, bool>
       geometric_sections;  ///< by cable: all, or none, given by geometry; absent: mixed
   std::map<std::string, std::shared_ptr<const TriangleMesh>> meshes;  ///< unscaled, by path
+
+  /// Of the cable of this index; NaN for NameTable::npos.
+  double cableLength(std::size_t cable) const;
 };
 
 /// An arc length on a cable: start, end or a length within it. NaN after a fault.
 double readArcLength(const YamlCursor& cursor, double cable_length);
+
+/// Reads a list of named things: `read(item, thing)` what is beside the name.
+template <class Thing, class Read>
+void readEach(const YamlCursor& list, NameTable& names, std::vector<Thing>& things, const Read& read) {
+  for (const YamlCursor& entry : list.items()) {
+    const YamlCursor item = names.add(entry);
+    Thing thing;
+    thing.name = names.names().back();
+    read(item, thing);
+    things.push_back(std::move(thing));
+  }
+}
 
 /// Readers of the parts, in the order in which they need each other.
 void readMaterials(const YamlCursor& map, ReadContext& context);
@@ -72,6 +88,7 @@ void readClips(const YamlCursor& list, ReadContext& context);
 void readJoints(const YamlCursor& list, ReadContext& context);
 void readLoads(const YamlCursor& list, ReadContext& context);
 void readDesignVariables(const YamlCursor& list, ReadContext& context);
+void readMeasures(const YamlCursor& list, ReadContext& context);
 void readMotions(const YamlCursor& list, ReadContext& context);
 
 }  // namespace cable_variation
