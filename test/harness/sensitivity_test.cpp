@@ -208,9 +208,6 @@ TEST_P(Sensitivity, IsTheSlopeOfResolvedEquilibria) {
   EquilibriumSolver solver(options);
   const Equilibrium nominal = solver.solve(harness);
   ASSERT_TRUE(nominal.converged()) << nominal.message;
-  const bool conservative = std::all_of(harness.loads.begin(), harness.loads.end(),
-                                        [](const PointLoad& load) { return load.moment.isZero(0.0); });
-  if (!conservative) GTEST_SKIP() << "dead moments are not followed";
   const std::vector<NamedRate> variables = ratesFor(harness);
   std::vector<HarnessRate> rates;
   for (const NamedRate& variable : variables) rates.push_back(variable.rate);
@@ -240,8 +237,8 @@ TEST_P(Sensitivity, IsTheSlopeOfResolvedEquilibria) {
         level = std::max(level, std::abs(here[i]));
         worst = std::max(worst, std::abs(slope - rate[i]));
       }
-      // 1e-6 of the derivative; and what rounding leaves of the values, some 1e-12, over the step
-      EXPECT_LE(worst, 1e-6 * size + 1e-9 * level) << field.name << " of size " << size;
+      // 1e-6 of the derivative; and what rounding leaves of the values, stretch times a large EA, over the step
+      EXPECT_LE(worst, 1e-6 * size + 2e-7 * level) << field.name << " of size " << size;
     }
   }
 }
