@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <cable_variation/harness/equilibrium.h>
+#include <cable_variation/variation/coupling.h>
 #include <cable_variation/variation/measure_evaluation.h>
 
 namespace cable_variation {
@@ -16,14 +17,6 @@ struct LowHigh {
   double low = 0.0, high = 0.0;  ///< values of the measure; not a number: no equilibrium there
 };
 
-/// How strongly the measures depend on each other's variables (Suh's independence axiom).
-enum class Coupling {
-  uncoupled,  ///< each measure has variables of its own
-  decoupled,  ///< there is an order of tuning in which nothing is undone
-  coupled
-};
-const char* toString(Coupling coupling);
-
 /// Which design variables drive which measures.
 struct StabilityAnalysis {
   Equilibrium nominal;                 ///< unless it has converged the rest is empty
@@ -32,8 +25,10 @@ struct StabilityAnalysis {
   std::vector<MeasureValue> values;    ///< per measure, at the nominal design
   Eigen::MatrixXd jacobian;            ///< [measure's unit / variable's unit]
   std::vector<bool> one_sided;         ///< per measure: the derivatives are limits from above (similarity)
-  Eigen::VectorXd mean_shift;          ///< per measure: what means off the nominal shift it by
-  Eigen::VectorXd sigma;  ///< per measure: standard deviation to first order (RSS of sigma × derivative)
+  Eigen::VectorXd variable_sigma;      ///< per variable: standard deviation [its unit]
+  Eigen::VectorXd mean_shift;          ///< per measure: what means off the nominal shift it by, first order
+  Eigen::VectorXd sigma;  ///< per measure: standard deviation, first order: √(J Σ Jᵀ), without correlation
+                          ///< the root sum of squares of derivative times sigma
   Eigen::MatrixXd contribution;  ///< share of each variable in the variance, of sum 1 unless it is 0
   Eigen::VectorXd worst_low,
       worst_high;  ///< per measure: smallest and largest change within the tolerances, first order
@@ -55,11 +50,10 @@ struct StabilityOptions {
   bool low_high = true;  ///< re-solve with each variable at its limits
 };
 
-/// Throws std::invalid_argument: an index out of range, spreadOf(), harnessAt().
-/// @param solver holds the equilibrium of the design to analyse if it was its last call; else it is solved
-/// @param prepared an evaluator of the same components, whose prepared geometry is used (preparing it takes
-/// tens of milliseconds for an engine bay); null: none
-StabilityAnalysis analyseStability(const Scene& scene, const StabilityOptions& options,
-                                   EquilibriumSolver solver, const MeasureEvaluator* prepared = nullptr);
+/// Throws std::invalid_argument: an index out of range, spreadOf(), designRates().
+/// @param evaluator of the scene, whatever its nominal shape: similarities are to the design analysed
+/// @param solver a shape to start from, best the design's own; without one the design is solved from nothing
+StabilityAnalysis analyseStability(const Scene& scene, const MeasureEvaluator& evaluator,
+                                   const StabilityOptions& options, EquilibriumSolver solver);
 
 }  // namespace cable_variation
