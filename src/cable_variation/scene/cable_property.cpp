@@ -152,7 +152,7 @@ double propertyOf(const Cable& cable, Property property) {
   return 1.0;
 }
 
-void setProperty(Harness& harness, const CableProperty& target, double value) {
+void setProperty(Harness& harness, const CableProperty& target, double value, double nominal) {
   Cable& cable = harness.cables[target.cable];
   const bool may_be_zero = target.property == Property::density;
   const bool may_be_any = target.property == Property::rest_curvature;
@@ -165,7 +165,7 @@ void setProperty(Harness& harness, const CableProperty& target, double value) {
     setLength(harness, target.cable, value, target.clips_scale);
     return;
   }
-  const double factor = value / propertyOf(cable, target.property);
+  const double factor = value / nominal;
   if (target.property == Property::rest_curvature) {
     for (RestCurvatureAt& knot : cable.rest_curvature) knot.curvature *= factor;
   }

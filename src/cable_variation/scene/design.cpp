@@ -1,8 +1,11 @@
 #include <cable_variation/scene/design.h>
 
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <utility>
+
+#include <cable_variation/scene/cable_property.h>
 
 namespace cable_variation {
 
@@ -33,13 +36,25 @@ bool sameQuantity(const DesignTarget& a, const DesignTarget& b) {
          property->property == std::get<CableProperty>(b).property;
 }
 
-/// Makes `value` the scene's own for what `variable` sets.
+/// What the harness has of the quantity that `target` sets; of a rest curvature, a factor, nothing.
+std::optional<double> quantityOf(const Harness& harness, const DesignTarget& target) {
+  if (const auto* clip = std::get_if<ClipArcLength>(&target)) return harness.clips[clip->clip].arc_length;
+  if (const auto* joint = std::get_if<BreakoutArcLength>(&target)) {
+    return harness.joints[joint->joint].parent_arc_length;
+  }
+  const auto* property = std::get_if<CableProperty>(&target);
+  if (property == nullptr || property->property == CableProperty::Property::rest_curvature) return {};
+  return propertyOf(harness.cables[property->cable], property->property);
+}
+
+/// Makes `value` the scene's own for what `variable` sets, and for what follows from it.
 void setQuantity(Scene& scene, const DesignVariable& variable, double value) {
   Scene edited = scene;
   edited.design_variables = {variable};
   edited.harness = harnessAt(edited, {{variable.name, value}});
   validate(edited.harness);
   for (DesignVariable& other : scene.design_variables) {
+    if (const auto quantity = quantityOf(edited.harness, other.target)) other.nominal = *quantity;
     if (sameQuantity(other.target, variable.target)) other.nominal = value;
   }
   scene.harness = std::move(edited.harness);

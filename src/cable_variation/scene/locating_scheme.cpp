@@ -97,4 +97,20 @@ Pose locatedPose(const Locators& locators, const std::array<double, 6>& deviatio
   throw std::invalid_argument("no rigid motion near the nominal pose satisfies the locators' deviations");
 }
 
+std::array<FrameRate, 6> locatedRates(const Locators& locators, const Pose& located) {
+  const Vector3d centre = centroid(locators);
+  std::array<Vector3d, 6> arms;
+  for (std::size_t i = 0; i < 6; ++i) arms[i] = located.orientation * (locators[i].first - centre);
+  const Matrix6d motions = jacobian(locators, arms).partialPivLu().inverse();
+  if (!motions.allFinite()) throw std::invalid_argument("the locating scheme is singular where the part is");
+  const Vector3d from_centre = located.position - located * centre;
+  std::array<FrameRate, 6> rates;
+  for (std::size_t i = 0; i < 6; ++i) {
+    const int column = static_cast<int>(i);
+    rates[i].rotation = motions.col(column).tail<3>();
+    rates[i].translation = motions.col(column).head<3>() + rates[i].rotation.cross(from_centre);
+  }
+  return rates;
+}
+
 }  // namespace cable_variation

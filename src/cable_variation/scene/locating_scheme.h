@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include <cable_variation/harness/harness_rate.h>
 #include <cable_variation/math/pose.h>
 
 namespace cable_variation {
@@ -21,5 +22,9 @@ void checkLocatingScheme(const Locators& locators);
 /// checkLocatingScheme(), or deviations [m] that no rigid motion near the
 /// identity satisfies.
 Pose locatedPose(const Locators& locators, const std::array<double, 6>& deviations);
+
+/// How the part's frame at `located` (in its nominal frame) moves, to first order, per metre
+/// of each locator's deviation. Throws std::invalid_argument where that is not unique.
+std::array<FrameRate, 6> locatedRates(const Locators& locators, const Pose& located);
 
 }  // namespace cable_variation
