@@ -1,9 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include <cable_variation/geometry/distance.h>
 #include <cable_variation/harness/equilibrium.h>
 #include <cable_variation/harness/sensitivity.h>
 #include <cable_variation/scene/design_rate.h>
@@ -24,6 +26,17 @@ struct MeasureValue {
   bool has_other = false;
   Eigen::Vector3d other = Eigen::Vector3d::Zero();  ///< distance: the closest point of the part or other
                                                     ///< cable; similarity: of the nominal shape [m, world]
+
+  /// Where exactly: what derivatives and later searches start from.
+  struct Trace {
+    Centreline::Place place;        ///< on `cable`, among the pieces between points of its shape
+    std::size_t other_cable = 0;    ///< distance between cables: the other's index
+    Centreline::Place other_place;  ///< on it; similarity: on the nominal shape
+    bool from_nominal = false;      ///< similarity: the place furthest away is that of the nominal shape
+    Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< distance, similarity: along which the value
+                                                          ///< grows when the cable at the place moves
+    std::vector<std::optional<ClosestPair>> pairs;        ///< distance to a component: per cable looked at
+  } trace;
 };
 
 /// A harness at rest with all that a measure may look at.
@@ -37,7 +50,7 @@ struct SolvedScene {
 /// geometry, the nominal shape); const members may be called by several threads.
 class MeasureEvaluator {
  public:
-  /// @param nominal the shape that similarity compares with
+  /// @param scene must outlive the evaluator @param nominal the shape that similarity compares with
   MeasureEvaluator(const Scene& scene, const SolvedScene& nominal);
   ~MeasureEvaluator();
   MeasureEvaluator(MeasureEvaluator&&) noexcept;
@@ -49,7 +62,9 @@ class MeasureEvaluator {
 
   /// The values of `measures` (indices into Scene::measures). `near`: values of the same measures at a
   /// similar shape, which make the search faster and change nothing else.
-  std::vector<MeasureValue> evaluate(const SolvedScene& at, const std::vector<std::size_t>& measures) const;
+  /// Both throw std::invalid_argument: an index out of range, a component without a pose or a mesh.
+  std::vector<MeasureValue> evaluate(const SolvedScene& at, const std::vector<std::size_t>& measures,
+                                     const std::vector<MeasureValue>* near = nullptr) const;
 
   /// Derivatives of the measures by the design variables (rows: measures, columns: `design`), in SI units. Of
   /// a similarity at the nominal shape itself: the one-sided limit, max over s of |(I - t tᵀ) ∂φ/∂x|, with
@@ -61,6 +76,7 @@ class MeasureEvaluator {
 
  private:
   struct Impl;
+  explicit MeasureEvaluator(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> impl_;
 };
 

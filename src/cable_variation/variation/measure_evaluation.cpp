@@ -1,0 +1,207 @@
+#include <cable_variation/variation/measure_evaluation.h>
+
+#include <stdexcept>
+
+#include <cable_variation/variation/measure_clip.h>
+#include <cable_variation/variation/measure_distance.h>
+#include <cable_variation/variation/measure_shape.h>
+#include <cable_variation/variation/measure_similarity.h>
+#include <cable_variation/variation/measure_strength.h>
+
+namespace cable_variation {
+namespace {
+
+using Type = Measure::Type;
+
+// A component's visuals as one mesh in its frame.
+TriangleMesh mergedMesh(const Component& component) {
+  TriangleMesh merged;
+  for (const Visual& visual : component.visuals) {
+    if (!visual.mesh) continue;
+    const auto first = static_cast<std::uint32_t>(merged.vertices.size());
+    for (const Eigen::Vector3d& vertex : visual.mesh->vertices)
+      merged.vertices.push_back(visual.pose * vertex);
+    for (const auto& corners : visual.mesh->triangles)
+      merged.triangles.push_back({corners[0] + first, corners[1] + first, corners[2] + first});
+  }
+  return merged;
+}
+
+// Made ready for distances, with what it was made from: as long as that is the same it can be used again.
+struct PreparedPart {
+  std::vector<std::pair<std::shared_ptr<const TriangleMesh>, Pose>> of;
+  DistancePart part;
+
+  explicit PreparedPart(const Component& component) : part(mergedMesh(component)) {
+    for (const Visual& visual : component.visuals) of.emplace_back(visual.mesh, visual.pose);
+  }
+  bool fits(const Component& component) const {
+    if (component.visuals.size() != of.size()) return false;
+    for (std::size_t i = 0; i < of.size(); ++i) {
+      const Visual& visual = component.visuals[i];
+      if (visual.mesh != of[i].first || visual.pose.position != of[i].second.position ||
+          visual.pose.orientation.coeffs() != of[i].second.orientation.coeffs()) {
+        return false;
+      }
+    }
+    return true;
+  }
+};
+
+}  // namespace
+
+struct MeasureEvaluator::Impl {
+  const Scene& scene;
+  std::vector<Centreline> nominal;                         // per cable
+  std::vector<std::shared_ptr<const PreparedPart>> parts;  // per component; null: no measure needs it
+
+  Impl(const Scene& of, const SolvedScene& solved,
+       const std::vector<std::shared_ptr<const PreparedPart>>& known)
+      : scene(of), parts(of.components.size()) {
+    for (std::size_t i = 0; i < solved.equilibrium.shapes.size(); ++i)
+      nominal.push_back(centrelineOf(solved.harness.cables[i], solved.equilibrium.shapes[i]));
+    for (const Measure& measure : scene.measures) {
+      if (measure.type != Type::distance || !measure.component || parts.at(*measure.component)) continue;
+      const Component& component = scene.components[*measure.component];
+      for (const auto& part : known) {
+        if (part && part->fits(component)) parts[*measure.component] = part;
+      }
+      if (parts[*measure.component]) continue;
+      try {
+        parts[*measure.component] = std::make_shared<const PreparedPart>(component);
+      } catch (const std::invalid_argument& error) {
+        throw std::invalid_argument("measure '" + measure.name + "': component '" + component.name +
+                                    "': " + error.what());
+      }
+    }
+  }
+
+  const Measure& measure(std::size_t index) const {
+    if (index >= scene.measures.size()) {
+      throw std::invalid_argument("measure " + std::to_string(index) + " of " +
+                                  std::to_string(scene.measures.size()));
+    }
+    return scene.measures[index];
+  }
+
+  MeasureValue value(const MeasureContext& context, const Measure& measure, const MeasureValue* near) const {
+    const Equilibrium& equilibrium = context.at.equilibrium;
+    MeasureValue figure;  // of the whole harness
+    switch (measure.type) {
+      case Type::distance:
+        return measure.component
+                   ? componentDistanceValue(context, measure, parts[*measure.component]->part, near)
+                   : cableDistanceValue(context, measure);
+      case Type::similarity:
+        return similarityValue(context, measure, nominal);
+      case Type::position:
+        return positionValue(context, measure);
+      case Type::bend_radius:
+        return bendRadiusValue(context, measure);
+      case Type::strain:
+      case Type::stress:
+        return strengthValue(context, measure);
+      case Type::section_force:
+      case Type::section_moment:
+        return sectionLoadValue(context, measure);
+      case Type::twist:
+        return twistValue(context, measure);
+      case Type::clip_force:
+      case Type::clip_moment:
+        return clipLoadValue(context, measure);
+      case Type::slide:
+        return slideValue(context, measure);
+      case Type::energy:
+        figure.value = equilibrium.energy.elastic;
+        break;
+      case Type::eigenvalue:
+        figure.value = equilibrium.smallest_eigenvalue;
+        break;
+    }
+    return figure;
+  }
+
+  static double rate(const MeasureContext& context, const Measure& measure, const MeasureValue& value,
+                     const MeasureRates& rates) {
+    switch (measure.type) {
+      case Type::distance:
+        return measure.component ? componentDistanceRate(context, measure, value, rates)
+                                 : cableDistanceRate(context, measure, value, rates);
+      case Type::similarity:
+        return similarityRate(context, measure, value, rates);
+      case Type::position:
+        return positionRate(context, measure, value, rates);
+      case Type::bend_radius:
+        return bendRadiusRate(context, value, rates);
+      case Type::strain:
+      case Type::stress:
+        return strengthRate(context, measure, value, rates);
+      case Type::section_force:
+      case Type::section_moment:
+        return sectionLoadRate(context, measure, value, rates);
+      case Type::twist:
+        return twistRate(context, measure, rates);
+      case Type::clip_force:
+      case Type::clip_moment:
+        return clipLoadRate(context, measure, rates);
+      case Type::slide:
+        return slideRate(measure, rates);
+      case Type::energy:
+        return rates.equilibrium.elastic_energy;
+      case Type::eigenvalue:
+        break;
+    }
+    return 0.0;
+  }
+};
+
+MeasureEvaluator::MeasureEvaluator(const Scene& scene, const SolvedScene& nominal)
+    : impl_(std::make_unique<Impl>(scene, nominal, std::vector<std::shared_ptr<const PreparedPart>>{})) {}
+MeasureEvaluator::~MeasureEvaluator() = default;
+MeasureEvaluator::MeasureEvaluator(MeasureEvaluator&&) noexcept = default;
+MeasureEvaluator& MeasureEvaluator::operator=(MeasureEvaluator&&) noexcept = default;
+
+MeasureEvaluator::MeasureEvaluator(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+
+MeasureEvaluator MeasureEvaluator::with(const Scene& scene, const SolvedScene& nominal) const {
+  return MeasureEvaluator(std::make_unique<Impl>(scene, nominal, impl_->parts));
+}
+
+std::vector<MeasureValue> MeasureEvaluator::evaluate(const SolvedScene& at,
+                                                     const std::vector<std::size_t>& measures,
+                                                     const std::vector<MeasureValue>* near) const {
+  const MeasureContext context(impl_->scene, at);
+  std::vector<MeasureValue> values;
+  values.reserve(measures.size());
+  for (std::size_t i = 0; i < measures.size(); ++i) {
+    const MeasureValue* known = near != nullptr && i < near->size() ? &(*near)[i] : nullptr;
+    values.push_back(impl_->value(context, impl_->measure(measures[i]), known));
+  }
+  return values;
+}
+
+Eigen::MatrixXd MeasureEvaluator::jacobian(const SolvedScene& at, const std::vector<std::size_t>& measures,
+                                           const std::vector<MeasureValue>& values,
+                                           const std::vector<DesignRate>& design,
+                                           const std::vector<EquilibriumRate>& rates) const {
+  if (values.size() != measures.size() || rates.size() != design.size()) {
+    throw std::invalid_argument("derivatives of measures: " + std::to_string(measures.size()) +
+                                " measures with " + std::to_string(values.size()) + " values, " +
+                                std::to_string(design.size()) + " variables with " +
+                                std::to_string(rates.size()) + " equilibrium rates");
+  }
+  const MeasureContext context(impl_->scene, at);
+  Eigen::MatrixXd jacobian(static_cast<Eigen::Index>(measures.size()),
+                           static_cast<Eigen::Index>(design.size()));
+  for (Eigen::Index j = 0; j < jacobian.cols(); ++j) {
+    const auto variable = static_cast<std::size_t>(j);
+    const MeasureRates by{design[variable], rates[variable]};
+    for (Eigen::Index i = 0; i < jacobian.rows(); ++i) {
+      const auto row = static_cast<std::size_t>(i);
+      jacobian(i, j) = Impl::rate(context, impl_->measure(measures[row]), values[row], by);
+    }
+  }
+  return jacobian;
+}
+
+}  // namespace cable_variation
