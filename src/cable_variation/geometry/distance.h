@@ -51,27 +51,30 @@ class DistancePart {
   std::unique_ptr<Impl> impl_;
 };
 
-/// The closest pair of a cable and a part at `pose` (world), exact to 1e-7 m for
-/// any size and placement of the triangles. Where the centreline pierces the
-/// part or lies inside one of its closed shells the value is minus the depth of
-/// its deepest point below the surface, minus the radius there; where it pierces
-/// an open surface it is minus the radius. `hint`: a pair found before, of a
-/// similar placement; it makes the search faster and changes nothing else.
-/// Local minima within `margin` [m] of the smallest are looked for (runner_up).
-/// None when all of the cable is skipped.
+/// The closest pair of a cable and a part at `pose` (world), exact to 1e-7 m for any size and placement of
+/// the triangles: the smallest distance of the part from a place of the centreline, less the radius there.
+/// Within a solid of the part, that is one of its closed shells, minus the depth below its surface takes the
+/// distance's place; so a centreline that pierces or lies inside has minus the depth of its deepest point,
+/// minus the radius there. (Which shells are closed: solids.h. An overlap of solids is as deep as its
+/// deepest.) Where it pierces an open surface the value is minus the radius. Ends of the cable count as
+/// round: a sphere about the last point. `hint`: a pair found before, of a similar placement; it makes the
+/// search faster and changes nothing else. Local minima within `margin` [m] of the smallest are looked for
+/// (runner_up): more than two radii along the cable away, or seen in a direction that differs by more than
+/// 0.01 rad. None when all of the cable is skipped. Throws std::invalid_argument for what is no cable, pose
+/// or margin.
 std::optional<ClosestPair> distance(const Centreline& cable, const DistancePart& part, const Pose& pose,
                                     const std::vector<SkippedStretch>& skipped = {}, double margin = 1e-5,
                                     const ClosestPair* hint = nullptr);
 
-/// The closest pair of two cables. Where centrelines are closer than the sum of
-/// the radii the value is negative (overlap). Pairs for which `counts` is false do not
-/// count.
-/// @param joined arc lengths of the two places where one hangs on the other, if they do, and how long a way
-/// through the joint must be for a pair to count [m]
+/// Where one cable hangs on another, and how long the way through the joint from place to place must be for
+/// the two to count as a pair.
 struct JoinedAt {
   double on_cable = 0.0, on_other = 0.0;  ///< arc lengths of the joint [m]
   double shortest_way = 0.0;              ///< [m]
 };
+
+/// The closest pair of two cables, exact to 1e-7 m: the smallest distance of their centrelines, less both
+/// radii; negative: they overlap. None if no pair of places counts.
 std::optional<ClosestPair> distance(const Centreline& cable, const Centreline& other,
                                     const std::optional<JoinedAt>& joined = {}, double margin = 1e-5);
 
