@@ -93,27 +93,44 @@ double sizeOf(const HarnessChange& change, const HarnessResponse& response, doub
   return size;
 }
 
-EquilibriumRate equilibriumRate(const Harness& harness, const Topology& topology,
-                                const std::vector<CableShape>& shapes, const HarnessChange& change,
-                                const HarnessResponse& response) {
+ShapeRates::ShapeRates(const Harness& harness, const Topology& topology,
+                       const std::vector<CableShape>& shapes)
+    : harness_(harness), topology_(topology), shapes_(shapes) {
+  for (std::size_t c = 0; c < shapes.size(); ++c) {
+    const RodProfile profile(harness.cables[c]);
+    const auto& points = shapes[c].points;
+    std::vector<RodProperties>& properties = properties_.emplace_back();
+    std::size_t last = 0;
+    for (std::size_t first = 0; first < points.size(); first = last + 1) {
+      // a span's points rise; the next one starts where it ends
+      for (last = first; last + 1 < points.size() && points[last + 1].arc_length > points[last].arc_length;)
+        ++last;
+      const double start = points[first].arc_length, length = points[last].arc_length - start;
+      for (std::size_t i = first; i <= last; ++i) {
+        properties.push_back(profile.at(insideSpan(points[i].arc_length, start, length)));
+      }
+    }
+  }
+}
+
+EquilibriumRate ShapeRates::of(const HarnessChange& change, const HarnessResponse& response) const {
   EquilibriumRate rate;
   rate.elastic_energy = response.elastic_energy;
-  std::vector<std::array<Wrench, 2>> ends(topology.spans.size());
-  for (std::size_t c = 0; c < shapes.size(); ++c) {
+  std::vector<std::array<Wrench, 2>> ends(topology_.spans.size());
+  for (std::size_t c = 0; c < shapes_.size(); ++c) {
     CableRate cable;
     for (const CableRate& each : change.cables) {
       if (each.cable == c) cable = each;
     }
-    const RodProfile profile(harness.cables[c]);
     std::vector<ShapePointRate>& points = rate.shapes.emplace_back();
-    points.reserve(shapes[c].points.size());
-    for (std::size_t index : topology.cable_spans[c]) {
-      const Span& span = topology.spans[index];
+    points.reserve(shapes_[c].points.size());
+    for (std::size_t index : topology_.cable_spans[c]) {
+      const Span& span = topology_.spans[index];
       const double left_rate = response.arc_lengths[static_cast<Eigen::Index>(span.left)];
       const double right_rate = response.arc_lengths[static_cast<Eigen::Index>(span.right)];
       const auto& forces = response.section_forces[index];
       const auto boundaries = static_cast<std::size_t>(forces.cols());
-      const ShapePoint* const first = &shapes[c].points[points.size()];
+      const ShapePoint* const first = &shapes_[c].points[points.size()];
       const double left = first->arc_length;
       const double length = first[boundaries - 1].arc_length - left;
       for (std::size_t k = 0; k < boundaries; ++k) {
@@ -121,10 +138,10 @@ EquilibriumRate equilibriumRate(const Harness& harness, const Topology& topology
         const ShapePoint& point = first[k];
         const double share = (point.arc_length - left) / length;
         const double moved = left_rate + share * (right_rate - left_rate);
-        const RodProperties rod = profile.at(insideSpan(point.arc_length, left, length));
+        const RodProperties& rod = properties_[c][points.size()];
         points.push_back(shapePointRate(point, response.motion.spans[index].col(3 * column),
                                         forces.col(column), moved, rod,
-                                        propertyRate(rod, point.arc_length, cable, moved), harness.gravity));
+                                        propertyRate(rod, point.arc_length, cable, moved), harness_.gravity));
       }
       const Vector6d left_force = forces.col(0), right_force = forces.col(forces.cols() - 1);
       ends[index] = {Wrench{-left_force.head<3>(), -left_force.tail<3>()},
@@ -132,8 +149,8 @@ EquilibriumRate equilibriumRate(const Harness& harness, const Topology& topology
     }
   }
   const std::vector<Wrench> wrenches =
-      stationWrenches(topology, ends, std::vector<Wrench>(topology.stations.size()));
-  for (std::size_t station : topology.clip_station) {
+      stationWrenches(topology_, ends, std::vector<Wrench>(topology_.stations.size()));
+  for (std::size_t station : topology_.clip_station) {
     rate.clip_reactions.push_back({wrenches[station].force, wrenches[station].moment,
                                    response.arc_lengths[static_cast<Eigen::Index>(station)]});
   }

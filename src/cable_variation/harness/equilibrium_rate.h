@@ -2,6 +2,7 @@
 
 #include <cable_variation/harness/equilibrium.h>
 #include <cable_variation/harness/linear_response.h>
+#include <cable_variation/rod/profile.h>
 
 namespace cable_variation {
 
@@ -12,10 +13,19 @@ HarnessChange changeOf(const Harness& harness, const Topology& topology, const S
 /// The largest of what a change and its response do: turns [rad], shifts over `length`, and relative changes.
 double sizeOf(const HarnessChange& change, const HarnessResponse& response, double length);
 
-/// How the solved cables change, to first order.
-/// @param shapes of the equilibrium itself
-EquilibriumRate equilibriumRate(const Harness& harness, const Topology& topology,
-                                const std::vector<CableShape>& shapes, const HarnessChange& change,
-                                const HarnessResponse& response);
+/// Tells how the solved cables change from how the discretised harness does.
+class ShapeRates {
+ public:
+  /// @param shapes of the equilibrium itself. Keeps references.
+  ShapeRates(const Harness& harness, const Topology& topology, const std::vector<CableShape>& shapes);
+
+  EquilibriumRate of(const HarnessChange& change, const HarnessResponse& response) const;
+
+ private:
+  const Harness& harness_;
+  const Topology& topology_;
+  const std::vector<CableShape>& shapes_;
+  std::vector<std::vector<RodProperties>> properties_;  // per cable and point
+};
 
 }  // namespace cable_variation

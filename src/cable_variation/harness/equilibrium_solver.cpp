@@ -311,13 +311,13 @@ std::vector<EquilibriumRate> EquilibriumSolver::Impl::differentiate(
   LinearResponse response = linearise();
   const std::vector<CableShape> shapes =
       describeShapes(problem->harness, problem->topology, *problem->system, problem->configuration);
+  const ShapeRates shape_rates(problem->harness, problem->topology, shapes);
   std::vector<EquilibriumRate> rates;
   rates.reserve(variables.size());
   for (const HarnessRate& variable : variables) {
     const HarnessChange change = changeOf(problem->harness, problem->topology, problem->system->unknowns(),
                                           problem->configuration, variable);
-    rates.push_back(
-        equilibriumRate(problem->harness, problem->topology, shapes, change, response.to(change)));
+    rates.push_back(shape_rates.of(change, response.to(change)));
   }
   return rates;
 }

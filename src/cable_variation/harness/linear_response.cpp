@@ -41,6 +41,17 @@ LinearResponse::LinearResponse(RodSystem& system, const Configuration& configura
     kernel.energy(input, explicit_[b].elastic);
     kernel.arcLength(input, slope, explicit_[b].elastic_by_arc_length);
   }
+  for (std::size_t i = 0; i < system.spans_.size(); ++i) {
+    end_stiffness_.emplace_back(system.spans_[i].elements);
+    for (std::size_t e = 0; e < end_stiffness_[i].size(); ++e) {
+      for (int row = 0; row < 2; ++row) {
+        for (int column = 0; column < 2; ++column) {
+          end_stiffness_[i][e].block<6, 6>(6 * row, 6 * column) =
+              system.endStiffness(system.elementOf(i, e), row, column);
+        }
+      }
+    }
+  }
 }
 
 // Central difference in the properties of one cable, into explicit_.
@@ -245,13 +256,15 @@ void LinearResponse::sectionForces(HarnessResponse& response, bool is_explicit) 
       const auto first = static_cast<Eigen::Index>(3 * e);
       const int side = boundary == 0 ? 0 : 1;
       const int row = kInner + 6 * side;
-      Vector6d rate = system_.endStiffness(at, side, 0) * response.motion.spans[i].col(first) +
-                      system_.endStiffness(at, side, 1) * response.motion.spans[i].col(first + 3);
+      const auto& motion = response.motion.spans[i];
+      const auto& stiffness = end_stiffness_[i][e];
+      Vector6d rate = stiffness.block<6, 6>(6 * side, 0) * motion.col(first) +
+                      stiffness.block<6, 6>(6 * side, 6) * motion.col(first + 3);
       for (int r = 0; is_explicit && r < 6; ++r) rate[r] += explicit_[at.batch].gradient[row + r][at.lane];
       Eigen::Vector3d moment;
       for (int k = 0; k < 3; ++k) moment[k] = batch.energy.gradient[row + 3 + k][at.lane];
       const auto node = static_cast<Eigen::Index>(3 * boundary);
-      const Eigen::Vector3d turn = response.motion.spans[i].col(node).tail<3>();
+      const Eigen::Vector3d turn = motion.col(node).tail<3>();
       const Eigen::Quaterniond& orientation = configuration_.spans[i].orientations[3 * boundary];
       // H θ is short of the slope of the moment in the section frame by ½ m × θ; seen from the world the
       // frame turns by θ × m

@@ -59,6 +59,9 @@ class LinearResponse {
   RodSystem& system_;
   const Configuration& configuration_;
   std::vector<ExplicitChange> explicit_;  // one per batch
+  // Per span and element: what its left end, and its right end, feel of the motion of both, inner nodes
+  // eliminated.
+  std::vector<std::vector<Eigen::Matrix<double, 12, 12>>> end_stiffness_;
 };
 
 }  // namespace cable_variation
