@@ -12,8 +12,6 @@
 namespace cable_variation::element {
 namespace {
 
-constexpr int kFirstDof[kNodes] = {kInner, 0, 6, kInner + 6};
-
 int packed(int row, int column) { return row >= column ? row * (row + 1) / 2 + column : packed(column, row); }
 
 Eigen::Quaterniond exponential(const Eigen::Vector3d& rotation) {

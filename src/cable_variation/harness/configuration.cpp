@@ -1,5 +1,7 @@
 #include <cable_variation/harness/configuration.h>
 
+#include <algorithm>
+
 #include <cable_variation/math/so3.h>
 
 namespace cable_variation {
@@ -36,6 +38,14 @@ void placeStations(const Harness& harness, const Topology& topology, Configurati
     span.positions.back() = right.position;
     span.orientations.back() = right.orientation;
   }
+}
+
+double largestArcLength(const Configuration& configuration) {
+  double largest = 0.0;
+  for (const StationConfiguration& station : configuration.stations) {
+    largest = std::max(largest, station.arc_length);
+  }
+  return largest;
 }
 
 }  // namespace cable_variation

@@ -42,4 +42,7 @@ using Grid = std::vector<std::vector<double>>;
 /// The spans' end nodes follow.
 void placeStations(const Harness& harness, const Topology& topology, Configuration& configuration);
 
+/// The largest arc length of its stations: the length of the longest cable [m].
+double largestArcLength(const Configuration& configuration);
+
 }  // namespace cable_variation

@@ -42,9 +42,7 @@ DiscretisationError estimateDiscretisation(const RodSystem& fine, RodSystem& coa
   for (const auto& nodes : step.spans) {
     difference = std::max(difference, nodes.topRows<3>().colwise().norm().maxCoeff());
   }
-  double length = 0.0;
-  for (const StationConfiguration& station : on_coarse.stations)
-    length = std::max(length, station.arc_length);
+  const double length = largestArcLength(on_coarse);
   error.centreline = difference / (difference > kAsymptotic * length ? kOrderTwo : kOrderThree);
   return error;
 }

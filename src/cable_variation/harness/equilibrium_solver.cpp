@@ -11,6 +11,7 @@
 #include <cable_variation/harness/equilibrium_result.h>
 #include <cable_variation/harness/initial_shape.h>
 #include <cable_variation/harness/problem.h>
+#include <cable_variation/harness/smallest_eigenvalue.h>
 #include <cable_variation/harness/start_search.h>
 #include <cable_variation/math/so3.h>
 

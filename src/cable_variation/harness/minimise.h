@@ -32,10 +32,4 @@ Minimum minimise(RodSystem& system, Configuration& configuration, const Minimise
 /// ball joints) pass as stable.
 constexpr double kNeutralShift = 1e-9;
 
-/// The smallest eigenvalue of the Hessian in the metric of the surface's mean
-/// square motion [N/m], and its motion; after evaluate() with the exact Hessian at
-/// `configuration`. By Lanczos' method on the inverse.
-double smallestEigenvalue(RodSystem& system, const Configuration& configuration,
-                          NodalField* motion = nullptr);
-
 }  // namespace cable_variation

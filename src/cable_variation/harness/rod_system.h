@@ -132,6 +132,7 @@ class RodSystem {
   void refreshProperties(const Configuration& configuration);
   void gather(const Configuration& configuration);
   void assembleGradient(const Configuration& configuration);
+  double residual(std::size_t span) const;  // at its inner nodes
   void assembleStations(bool symmetric);
   void assembleArcLength();
   void reduceSpan(std::size_t span, int& negative);

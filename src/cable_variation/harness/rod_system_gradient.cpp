@@ -106,12 +106,16 @@ void RodSystem::addToUnknowns(std::size_t span, const Vector14d& force, Eigen::V
   }
 }
 
+double RodSystem::residual(std::size_t span) const {
+  const auto& nodes = gradient_.spans[span];
+  return std::max(nodes.topRows<3>().cwiseAbs().maxCoeff(),
+                  nodes.bottomRows<3>().cwiseAbs().maxCoeff() / spans_[span].gyration);
+}
+
 double RodSystem::residual() const {
   double largest = 0.0;
   for (std::size_t i = 0; i < spans_.size(); ++i) {
-    const auto& nodes = gradient_.spans[i];
-    largest = std::max({largest, nodes.topRows<3>().cwiseAbs().maxCoeff(),
-                        nodes.bottomRows<3>().cwiseAbs().maxCoeff() / spans_[i].gyration});
+    largest = std::max(largest, residual(i));
   }
   for (std::size_t i = 0; i < topology_.stations.size(); ++i) {
     const std::size_t cable = topology_.stations[i].cable;
@@ -130,9 +134,7 @@ std::size_t RodSystem::worstSpan() const {
   std::size_t worst = 0;
   double largest = -1.0;
   for (std::size_t i = 0; i < spans_.size(); ++i) {
-    const auto& nodes = gradient_.spans[i];
-    const double here = std::max(nodes.topRows<3>().cwiseAbs().maxCoeff(),
-                                 nodes.bottomRows<3>().cwiseAbs().maxCoeff() / spans_[i].gyration);
+    const double here = residual(i);
     if (here > largest) {
       largest = here;
       worst = i;

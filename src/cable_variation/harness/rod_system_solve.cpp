@@ -6,14 +6,12 @@
 namespace cable_variation {
 
 using element::kDofs;
+using element::kFirstDof;
 using element::kInner;
 using element::kLanes;
 using element::kNodes;
 
 namespace {
-
-// First row of a node's degrees of freedom in the kernel's order.
-constexpr int kFirstDof[kNodes] = {kInner, 0, 6, kInner + 6};
 
 int packed(int row, int column) { return row * (row + 1) / 2 + column; }
 

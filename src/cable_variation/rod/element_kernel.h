@@ -24,6 +24,8 @@ constexpr int kInner = 6 * (kNodes - 2);  ///< degrees of freedom eliminated
 constexpr int kOuter = 12;                ///< those of the two end nodes
 constexpr int kDofs = kInner + kOuter;    ///< inner nodes first, then the left and the right end
 constexpr int kLanes = 8;                 ///< elements per batch
+/// Row of each node's first degree of freedom.
+constexpr int kFirstDof[kNodes] = {kInner, 0, 6, kInner + 6};
 
 /// Position of the nodes and the Gauss points in the element, 0 to 1.
 extern const double kNodeAt[kNodes];

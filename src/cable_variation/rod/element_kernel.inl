@@ -97,10 +97,7 @@ constexpr Shape makeShape() {
 }
 constexpr Shape kShape = makeShape();
 
-// First row of node a's degrees of freedom: inner nodes first, then the ends.
-constexpr int firstDof(int node) {
-  return node == 0 ? kInner : node == kNodes - 1 ? kInner + 6 : 6 * (node - 1);
-}
+// Of a lower triangle.
 constexpr int packed(int row, int column) { return row * (row + 1) / 2 + column; }
 
 inline Vec loadVec(const double (*rows)[kLanes], int lane) {
@@ -217,7 +214,7 @@ inline void evaluate(const Input& in, Energy& out, Factor* factor, bool given_st
       const Vec x = loadVec(in.position[a], lane);
       const Vec fa = (kShape.value[g][a] * wh) * f;
       potential -= dot(fa, x);
-      const int row = firstDof(a);
+      const int row = kFirstDof[a];
       addVec(out.gradient + row, lane, kShape.slope[g][a] * g_position - fa);
       addVec(out.gradient + row + 3, lane, mapTransposed(maps[a].c, g_b) + mapTransposed(maps[a].d, g_rate));
     }
@@ -257,9 +254,9 @@ inline void evaluate(const Input& in, Energy& out, Factor* factor, bool given_st
         const Mat position_rotation = mixed * C;
         const Vec r_c = -1.0 * maps[c].c.v;
         const Vec r_rate_c = -1.0 * maps[c].d.v;
-        const int column = firstDof(c);
+        const int column = kFirstDof[c];
         for (int a = 0; a < kNodes; ++a) {
-          const int row = firstDof(a);
+          const int row = kFirstDof[a];
           const double slope_a = kShape.slope[g][a];
           if (row >= column) {
             addBlock(factor->matrix, row, column, lane, (slope_a * kShape.slope[g][c]) * stiff);
@@ -312,7 +309,7 @@ void predict(const Input& in, const double (*motion)[kLanes], double (*stress)[6
       Vec b = shift, rate = shift;
       for (int a = 0; a < kNodes; ++a) {
         const NodeMap map = nodeMap(in, s, g, a, lane);
-        const int row = firstDof(a);
+        const int row = kFirstDof[a];
         const Vec theta = loadVec(motion + row + 3, lane);
         shift = shift + kShape.slope[g][a] * loadVec(motion + row, lane);
         b = b + map.c.w * theta + cross(map.c.v, theta);
@@ -426,7 +423,7 @@ void arcLength(const Input& in, const InputSlope& slope, ArcLength& out) {
         const Vec force = w * (dh[end] * f + ds[end] * (length * f_s));
         for (int node = 0; node < kNodes; ++node) {
           const NodeMap map = nodeMap(in, s, g, node, lane);
-          const int row = firstDof(node);
+          const int row = kFirstDof[node];
           addVec(out.mixed[end] + row, lane,
                  kShape.slope[g][node] * g_position - kShape.value[g][node] * force);
           addVec(out.mixed[end] + row + 3, lane, mapTransposed(map.c, g_b) + mapTransposed(map.d, g_rate));

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <cable_variation/harness/rod_system.h>
+
+namespace cable_variation {
+
+/// The smallest eigenvalue of the Hessian in the metric of the surface's mean
+/// square motion [N/m], and its motion; after evaluate() with the exact Hessian at
+/// `configuration`. By Lanczos' method on the inverse.
+double smallestEigenvalue(RodSystem& system, const Configuration& configuration,
+                          NodalField* motion = nullptr);
+
+}  // namespace cable_variation
