@@ -207,6 +207,50 @@ TEST(SceneReader, designVariables) {
   EXPECT_NEAR(sampled.distribution_values[0], -0.0004, 1e-15);
 }
 
+TEST(SceneReader, regionsAreVariablesThatBelongTogether) {
+  const Scene& scene = everything();
+  const auto& variables = scene.design_variables;
+  ASSERT_EQ(scene.tolerance_regions.size(), 3U);
+
+  const ToleranceRegion& tip = named(scene.tolerance_regions, "tip");
+  EXPECT_EQ(tip.shape, ToleranceRegion::Shape::ball);
+  EXPECT_DOUBLE_EQ(tip.radius, 0.0005);
+  EXPECT_TRUE(tip.uniform);
+  ASSERT_EQ(tip.variables.size(), 3U);
+  EXPECT_EQ(variables[tip.variables[0]].name, "tip_x");
+  EXPECT_EQ(variables[tip.variables[2]].name, "tip_z");
+  const DesignVariable& tip_y = variables[tip.variables[1]];
+  EXPECT_EQ(std::get<ClipTranslation>(tip_y.target).axis, Axis::y);
+  EXPECT_EQ(std::get<ClipTranslation>(tip_y.target).clip, 4U);
+  EXPECT_DOUBLE_EQ(tip_y.lower, -0.0005);
+  EXPECT_EQ(tip_y.unit, "m");
+  EXPECT_EQ(tip_y.distribution, "ball");
+
+  const ToleranceRegion& face = named(scene.tolerance_regions, "face");
+  EXPECT_FALSE(face.uniform);
+  EXPECT_DOUBLE_EQ(face.sigma, 3.0);
+  ASSERT_EQ(face.variables.size(), 2U);
+  EXPECT_EQ(variables[face.variables[1]].name, "face_y");
+  EXPECT_EQ(std::get<ComponentTranslation>(variables[face.variables[1]].target).component, 1U);
+
+  const ToleranceRegion& aim = named(scene.tolerance_regions, "aim");
+  EXPECT_DOUBLE_EQ(aim.sigma, 2.0);
+  ASSERT_EQ(aim.variables.size(), 2U);
+  const DesignVariable& aim_ry = variables[aim.variables[0]];
+  EXPECT_EQ(aim_ry.name, "aim_ry");
+  EXPECT_EQ(std::get<ClipRotation>(aim_ry.target).axis, Axis::y);
+  EXPECT_NEAR(aim_ry.upper, 2.0 * kPi / 180.0, 1e-15);
+  EXPECT_EQ(aim_ry.distribution_parameters.at("sigma"), 2.0);
+}
+
+TEST(SceneReader, correlations) {
+  const Scene& scene = everything();
+  ASSERT_EQ(scene.correlations.size(), 2U);
+  EXPECT_EQ(scene.design_variables[scene.correlations[0].first].name, "bending");
+  EXPECT_EQ(scene.design_variables[scene.correlations[0].second].name, "torsion");
+  EXPECT_DOUBLE_EQ(scene.correlations[0].coefficient, 0.8);
+}
+
 using Indices = std::vector<std::size_t>;  // everything.yaml: main 0, branch 1, hose 2, stepped 3
 
 TEST(SceneReader, measuresOfDistance) {

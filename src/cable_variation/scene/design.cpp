@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <cable_variation/scene/cable_property.h>
+#include <cable_variation/scene/design_target.h>
 
 namespace cable_variation {
 
@@ -17,23 +18,6 @@ std::size_t indexOf(const std::vector<Named>& all, const std::string& name, cons
     if (all[i].name == name) return i;
   }
   throw std::invalid_argument(std::string("no ") + kind + " named '" + name + "'");
-}
-
-/// Whether the variable's value is the quantity itself, not a deviation.
-bool setsQuantity(const DesignTarget& target) {
-  return std::holds_alternative<ClipArcLength>(target) || std::holds_alternative<CableProperty>(target) ||
-         std::holds_alternative<BreakoutArcLength>(target);
-}
-
-bool sameQuantity(const DesignTarget& a, const DesignTarget& b) {
-  if (a.index() != b.index()) return false;
-  if (const auto* clip = std::get_if<ClipArcLength>(&a)) return clip->clip == std::get<ClipArcLength>(b).clip;
-  if (const auto* joint = std::get_if<BreakoutArcLength>(&a)) {
-    return joint->joint == std::get<BreakoutArcLength>(b).joint;
-  }
-  const auto* property = std::get_if<CableProperty>(&a);
-  return property != nullptr && property->cable == std::get<CableProperty>(b).cable &&
-         property->property == std::get<CableProperty>(b).property;
 }
 
 /// What the harness has of the quantity that `target` sets; of a rest curvature, a factor, nothing.

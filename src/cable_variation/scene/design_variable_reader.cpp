@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include <cable_variation/scene/cable_property.h>
+#include <cable_variation/scene/design_target.h>
 #include <cable_variation/scene/distribution_reader.h>
 #include <cable_variation/scene/read_context.h>
 
@@ -194,14 +195,16 @@ void readTolerance(const YamlCursor& cursor, const Target& target, DesignVariabl
     if (items.size() != 2) return;
     variable.lower = readDeviation(items[0], target);
     variable.upper = readDeviation(items[1], target);
-    if (variable.lower > 0.0 || variable.upper < 0.0) {
+    if (variable.lower > 0.0 || variable.upper < 0.0 || variable.lower == variable.upper) {
       cursor.fail("found " + shortNumber(variable.lower) + " to " + shortNumber(variable.upper) +
-                  "; expected [lower, upper] with lower <= 0 <= upper");
+                  "; expected [lower, upper] with lower <= 0 <= upper, not both 0");
     }
   } else {
     variable.upper = readDeviation(cursor, target);
     variable.lower = -variable.upper;
-    if (variable.upper < 0.0) cursor.fail("it is negative; expected 0 or more, or [lower, upper]");
+    if (variable.upper <= 0.0) {
+      cursor.fail("found " + shortNumber(variable.upper) + "; expected more than 0, or [lower, upper]");
+    }
   }
 }
 
@@ -216,6 +219,11 @@ void readVariable(const YamlCursor& item, DesignVariable& variable, ReadContext&
   variable.target = target.target;
   variable.unit = *target.quantity->unit ? target.quantity->unit : "1";
   variable.nominal = target.nominal;
+  for (const DesignVariable& other : context.scene.design_variables) {
+    if (!other.unit.empty() && sameQuantity(other.target, variable.target)) {
+      item.fail("'" + other.name + "' varies the same");
+    }
+  }
   if (!tolerance) return;
   const std::size_t before = context.faults.count();
   readTolerance(*tolerance, target, variable);
@@ -231,6 +239,10 @@ void readVariable(const YamlCursor& item, DesignVariable& variable, ReadContext&
 
 void readDesignVariables(const YamlCursor& list, ReadContext& context) {
   for (const YamlCursor& entry : list.items()) {
+    if (entry.has("region")) {
+      readToleranceRegion(entry, context);
+      continue;
+    }
     const YamlCursor item = context.design_variables.add(entry);
     DesignVariable variable;
     variable.name = context.design_variables.names().back();

@@ -1,8 +1,10 @@
 #include <cable_variation/scene/distribution_reader.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <numeric>
+#include <set>
 #include <stdexcept>
 
 #include <cable_variation/scene/resource_address.h>
@@ -12,6 +14,8 @@ namespace {
 
 constexpr double kUsualSigma = 3.0;
 constexpr Range kShare{0.0, 1.0, false};
+constexpr Range kWeibullShape{0.5, 50.0, false};     // beyond, the mean or the width lose their meaning
+constexpr Range kSkewShape{-1000.0, 1000.0, false};  // half a normal distribution beyond
 
 struct Reading {
   const YamlCursor& cursor;
@@ -52,6 +56,17 @@ void readDiscrete(const Reading& r) {
   }
 }
 
+// What never varies is no variable.
+void requireSpread(const Reading& r) {
+  const auto& values = r.variable.distribution_values;
+  const auto& weights = r.variable.distribution_weights;
+  std::set<double> possible;
+  for (std::size_t i = 0; i < std::min(values.size(), weights.size()); ++i) {
+    if (weights[i] > 0.0) possible.insert(values[i]);
+  }
+  if (possible.size() == 1) r.cursor.fail("all of it is at one value; expected two at least");
+}
+
 void readEmpirical(const Reading& r) {
   const auto address = r.cursor.require("file");
   std::string unit;
@@ -88,6 +103,10 @@ void readEmpirical(const Reading& r) {
                                   std::to_string(r.variable.distribution_values.size()) +
                                   " samples; expected 2 or more");
     }
+    const auto& samples = r.variable.distribution_values;
+    if (std::all_of(samples.begin(), samples.end(), [&](double v) { return v == samples.front(); })) {
+      throw std::invalid_argument("'" + text + "' holds the same sample over and over; expected others too");
+    }
   } catch (const std::invalid_argument& error) {
     address->fail(error.what());
   }
@@ -100,7 +119,7 @@ struct DistributionType {
 };
 
 const std::vector<DistributionType>& distributionTypes() {
-  static const auto sigma = [](const Reading& r) { r.parameter("sigma", Range::positive(), kUsualSigma); };
+  static const auto sigma = [](const Reading& r) { r.parameter("sigma", kSigmaRange, kUsualSigma); };
   static const std::vector<DistributionType> types{
       {"normal", {"sigma"}, sigma},
       {"truncated_normal", {"sigma"}, sigma},
@@ -120,7 +139,7 @@ const std::vector<DistributionType>& distributionTypes() {
       {"weibull",
        {"shape", "scale"},
        [](const Reading& r) {
-         r.parameter("shape", Range::positive());
+         r.parameter("shape", kWeibullShape);
          if (const auto scale = r.cursor.find("scale")) {
            r.variable.distribution_parameters["scale"] = scale->number(r.quantity, Range::positive());
          }
@@ -128,10 +147,16 @@ const std::vector<DistributionType>& distributionTypes() {
       {"skew_normal",
        {"shape", "sigma"},
        [](const Reading& r) {
-         r.parameter("shape", Range::any());
+         r.parameter("shape", kSkewShape);
          sigma(r);
        }},
-      {"discrete", {"values", "probabilities"}, readDiscrete},
+      {"discrete",
+       {"values", "probabilities"},
+       [](const Reading& r) {
+         const std::size_t before = r.cursor.faults().count();
+         readDiscrete(r);
+         if (r.cursor.faults().count() == before) requireSpread(r);
+       }},
       {"empirical", {"file", "unit"}, readEmpirical},
   };
   return types;

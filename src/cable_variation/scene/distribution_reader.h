@@ -4,6 +4,9 @@
 
 namespace cable_variation {
 
+/// Of how many standard deviations a tolerance may be.
+constexpr Range kSigmaRange{0.0, 100.0, true};
+
 /// Reads a design variable's distribution over its tolerance [lower, upper],
 /// deviations from nominal in the unit of `quantity`:
 ///   {type: normal | truncated_normal, sigma: 3}          standard deviations at the tolerance's limits

@@ -35,6 +35,16 @@ YamlCursor NameTable::add(const YamlCursor& item) {
   return name.empty() ? item : item.labelled(kind_ + " '" + name + "'");
 }
 
+void NameTable::declare(const YamlCursor& item, const std::string& name) {
+  const auto it = std::find(names_.begin(), names_.end(), name);
+  if (it != names_.end()) {
+    item.fail("there is a " + kind_ + " '" + name + "' already, in line " +
+              std::to_string(lines_[static_cast<std::size_t>(it - names_.begin())]));
+  }
+  names_.push_back(name);
+  lines_.push_back(item.line());
+}
+
 std::size_t NameTable::find(const YamlCursor& cursor) const {
   const std::string name = cursor.text();
   if (name.empty()) return npos;

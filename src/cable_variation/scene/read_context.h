@@ -20,6 +20,9 @@ class NameTable {
   /// could not hold are faults. Returns the item's cursor, labelled by it.
   YamlCursor add(const YamlCursor& item);
 
+  /// A name that follows from others, likewise to be followed by one entry; a fault at `item` if it is taken.
+  void declare(const YamlCursor& item, const std::string& name);
+
   /// Index of the thing that `cursor` names; a fault and npos if there is none.
   std::size_t find(const YamlCursor& cursor) const;
   /// As find(), of a key that must be there.
@@ -55,6 +58,7 @@ struct ReadContext {
   NameTable loads{"load"};
   NameTable design_variables{"design variable"};
   NameTable measures{"measure"};
+  NameTable tolerance_regions{"tolerance region"};
   NameTable motions{"motion"};
   std::map<std::string, Material> materials;
   std::map<std::size_t, bool>
@@ -88,6 +92,8 @@ void readClips(const YamlCursor& list, ReadContext& context);
 void readJoints(const YamlCursor& list, ReadContext& context);
 void readLoads(const YamlCursor& list, ReadContext& context);
 void readDesignVariables(const YamlCursor& list, ReadContext& context);
+void readToleranceRegion(const YamlCursor& item, ReadContext& context);  ///< an entry of design_variables
+void readCorrelations(const YamlCursor& list, ReadContext& context);
 void readMeasures(const YamlCursor& list, ReadContext& context);
 void readMotions(const YamlCursor& list, ReadContext& context);
 

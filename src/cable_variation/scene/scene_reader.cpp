@@ -29,7 +29,7 @@ int lineOf(const std::string& message, const ReadContext& context) {
 
 void readParts(const YamlCursor& root, ReadContext& context) {
   if (!root.checkKeys({"gravity", "accuracy", "components", "materials", "cables", "clips", "joints", "loads",
-                       "design_variables", "measures", "motions"})) {
+                       "design_variables", "correlations", "measures", "motions"})) {
     return;
   }
   context.scene.harness.gravity =
@@ -45,6 +45,7 @@ void readParts(const YamlCursor& root, ReadContext& context) {
   part("joints", readJoints);
   part("loads", readLoads);
   part("design_variables", readDesignVariables);
+  part("correlations", readCorrelations);
   part("measures", readMeasures);
   part("motions", readMotions);
   if (!root.has("components") && !root.has("cables"))
