@@ -1,0 +1,60 @@
+#include <cable_variation/report/markup.h>
+
+#include <cmath>
+#include <cstdio>
+
+namespace cable_variation {
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      case '\'':
+        result += "&#39;";
+        break;
+      case '\t':
+      case '\n':
+        result += c;
+        break;
+      default:
+        if (static_cast<unsigned char>(c) < 0x20) {
+          result += "\xEF\xBF\xBD";
+        } else {
+          result += c;
+        }
+    }
+  }
+  return result;
+}
+
+std::string figure(double value, int digits) {
+  if (std::isnan(value)) return "–";
+  if (std::isinf(value)) return value > 0.0 ? "∞" : "−∞";
+  char text[40];
+  std::snprintf(text, sizeof text, "%.*g", digits, value == 0.0 ? 0.0 : value);
+  std::string result = text;
+  // A true minus sign has the width of a digit.
+  if (result[0] == '-') result.replace(0, 1, "−");
+  return result;
+}
+
+ShownUnit shownUnit(const std::string& si_unit) {
+  if (si_unit == "m") return {"mm", 1e3};
+  if (si_unit == "rad") return {"°", 180.0 / M_PI};
+  if (si_unit == "1") return {"", 1.0};
+  return {si_unit, 1.0};
+}
+
+}  // namespace cable_variation

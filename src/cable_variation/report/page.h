@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <cable_variation/report/section.h>
+
+namespace cable_variation {
+
+/// A self-contained page (well-formed XHTML, which every browser reads as HTML too): contents, then the
+/// sections in order. Nothing is loaded from elsewhere; prints on A4.
+/// @param about lines under the title: scene, date, what was asked for
+std::string reportPage(const std::string& title, const std::vector<std::string>& about,
+                       const std::vector<ReportSection>& sections);
+
+}  // namespace cable_variation

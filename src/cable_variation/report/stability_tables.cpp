@@ -1,0 +1,127 @@
+#include <cable_variation/report/stability_tables.h>
+
+#include <cmath>
+
+namespace cable_variation {
+
+namespace {
+
+ReportCell limit(const std::optional<double>& value, const ShownUnit& unit) {
+  return {value ? figure(unit.factor * *value) : "", 0.0, false};
+}
+
+bool inside(const Measure& measure, double value) {
+  return !(measure.lower && value < *measure.lower) && !(measure.upper && value > *measure.upper);
+}
+
+std::string unitsOf(const ShownUnit& measure, const ShownUnit& variable) {
+  const std::string top = measure.name.empty() ? "1" : measure.name;
+  return variable.name.empty() ? measure.name : top + "/" + variable.name;
+}
+
+}  // namespace
+
+double nominalValue(const DesignVariable& variable, const DesignValues& values) {
+  const auto found = values.find(variable.name);
+  return found == values.end() ? variable.nominal : found->second;
+}
+
+ReportTable measureTable(const Scene& scene, const StabilityAnalysis& analysis) {
+  ReportTable table{"At the nominal design",
+                    {"measure", "kind", "value", "lower limit", "upper limit", "unit", "note"},
+                    {}};
+  for (std::size_t i = 0; i < analysis.measures.size(); ++i) {
+    const Measure& measure = scene.measures[analysis.measures[i]];
+    const MeasureValue& value = analysis.values[i];
+    const ShownUnit unit = shownUnit(measure.unit);
+    std::string note = value.note;
+    if (!value.unique) note += std::string(note.empty() ? "" : "; ") + "found at more than one place";
+    table.rows.push_back({{measure.name, 0.0, false},
+                          {toString(measure.type), 0.0, false},
+                          {figure(unit.factor * value.value), 0.0, !inside(measure, value.value)},
+                          limit(measure.lower, unit),
+                          limit(measure.upper, unit),
+                          {unit.name, 0.0, false},
+                          {note, 0.0, false}});
+  }
+  return table;
+}
+
+ReportTable spreadTable(const Scene& scene, const StabilityAnalysis& analysis) {
+  ReportTable table{
+      "To first order; beyond a limit in bold red",
+      {"measure", "mean", "σ", "mean − 3 σ", "mean + 3 σ", "worst case low", "worst case high", "unit"},
+      {}};
+  for (std::size_t i = 0; i < analysis.measures.size(); ++i) {
+    const Measure& measure = scene.measures[analysis.measures[i]];
+    const ShownUnit unit = shownUnit(measure.unit);
+    const auto row = static_cast<Eigen::Index>(i);
+    const double nominal = analysis.values[i].value, sigma = analysis.sigma[row];
+    const double mean = nominal + analysis.mean_shift[row];
+    const auto cell = [&](double value) {
+      return ReportCell{figure(unit.factor * value), 0.0, !inside(measure, value)};
+    };
+    table.rows.push_back({{measure.name, 0.0, false},
+                          cell(mean),
+                          {figure(unit.factor * sigma), 0.0, false},
+                          cell(mean - 3.0 * sigma),
+                          cell(mean + 3.0 * sigma),
+                          cell(nominal + analysis.worst_low[row]),
+                          cell(nominal + analysis.worst_high[row]),
+                          {unit.name, 0.0, false}});
+  }
+  return table;
+}
+
+ReportTable sensitivityTable(const Scene& scene, const StabilityAnalysis& analysis) {
+  ReportTable table{
+      "Derivatives; the darker, the larger the variable's share in the measure's variance", {"variable"}, {}};
+  for (std::size_t i = 0; i < analysis.measures.size(); ++i) {
+    const Measure& measure = scene.measures[analysis.measures[i]];
+    table.columns.push_back(measure.name + (analysis.one_sided[i] ? " *" : ""));
+  }
+  for (std::size_t j = 0; j < analysis.variables.size(); ++j) {
+    const DesignVariable& variable = scene.design_variables[analysis.variables[j]];
+    const ShownUnit by = shownUnit(variable.unit);
+    std::vector<ReportCell> row{{variable.name, 0.0, false}};
+    for (std::size_t i = 0; i < analysis.measures.size(); ++i) {
+      const ShownUnit unit = shownUnit(scene.measures[analysis.measures[i]].unit);
+      const auto r = static_cast<Eigen::Index>(i), c = static_cast<Eigen::Index>(j);
+      const std::string units = unitsOf(unit, by);
+      row.push_back(
+          {figure(unit.factor / by.factor * analysis.jacobian(r, c), 3) + (units.empty() ? "" : " " + units),
+           analysis.contribution(r, c), false});
+    }
+    table.rows.push_back(row);
+  }
+  return table;
+}
+
+ReportTable variableTable(const Scene& scene, const StabilityAnalysis& analysis, const DesignValues& values) {
+  const bool re_solved = !analysis.eigenvalue_low.empty();
+  ReportTable table{"", {"variable", "nominal", "lower", "upper", "σ", "unit", "distribution"}, {}};
+  if (re_solved) {
+    table.columns.emplace_back("eigenvalue low\n[N/m]");
+    table.columns.emplace_back("eigenvalue high\n[N/m]");
+  }
+  for (std::size_t j = 0; j < analysis.variables.size(); ++j) {
+    const DesignVariable& variable = scene.design_variables[analysis.variables[j]];
+    const ShownUnit unit = shownUnit(variable.unit);
+    const auto cell = [&](double value) { return ReportCell{figure(unit.factor * value), 0.0, false}; };
+    table.rows.push_back({{variable.name, 0.0, false},
+                          cell(nominalValue(variable, values)),
+                          cell(variable.lower),
+                          cell(variable.upper),
+                          cell(analysis.variable_sigma[static_cast<Eigen::Index>(j)]),
+                          {unit.name, 0.0, false},
+                          {variable.distribution, 0.0, false}});
+    if (re_solved) {
+      for (const double value : {analysis.eigenvalue_low[j], analysis.eigenvalue_high[j]}) {
+        table.rows.back().push_back({figure(value), 0.0, false});
+      }
+    }
+  }
+  return table;
+}
+
+}  // namespace cable_variation
