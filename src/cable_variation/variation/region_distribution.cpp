@@ -1,6 +1,5 @@
 #include <cable_variation/variation/region_distribution.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include <boost/math/distributions/beta.hpp>
@@ -33,7 +32,9 @@ double RegionDistribution::standardDeviation() const {
 // exp(-z²/2) times the share of the other coordinates within the ball; z = k sin t makes it smooth at the
 // ends.
 double RegionDistribution::cdf(double deviation) const {
-  const double u = std::clamp(deviation / radius_, -1.0, 1.0);
+  const double u = deviation / radius_;
+  if (u <= -1.0) return 0.0;
+  if (u >= 1.0) return 1.0;
   if (sigma_ == 0.0) {
     const double shape = 0.5 * (dimensions_ + 1);
     return boost::math::cdf(boost::math::beta_distribution<>(shape, shape), 0.5 * (1.0 + u));
@@ -49,7 +50,7 @@ double RegionDistribution::cdf(double deviation) const {
   const double part =
       u == 0.0 ? 0.0 : Quadrature::integrate(density, 0.0, std::asin(std::abs(u)), kDepth, kRelativeError);
   const double whole = std::sqrt(2.0 * kPi) * chiSquaredShare(dimensions_, k * k);
-  return std::clamp(0.5 + std::copysign(part / whole, u), 0.0, 1.0);
+  return 0.5 + std::copysign(part / whole, u);
 }
 
 double RegionDistribution::quantile(double probability) const {
