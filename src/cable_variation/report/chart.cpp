@@ -26,10 +26,9 @@ std::string svg(double width, double height, const std::string& content) {
          content + "</svg>\n";
 }
 
-std::string text(double x, double y, const char* anchor, const std::string& content,
-                 const std::string& color = {}) {
-  return "<text x=\"" + pixels(x) + "\" y=\"" + pixels(y) + "\" text-anchor=\"" + anchor + "\"" +
-         (color.empty() ? "" : " style=\"fill:" + color + "\"") + ">" + escaped(content) + "</text>\n";
+std::string text(double x, double y, const char* anchor, const std::string& content) {
+  return "<text x=\"" + pixels(x) + "\" y=\"" + pixels(y) + "\" text-anchor=\"" + anchor + "\">" +
+         escaped(content) + "</text>\n";
 }
 
 std::string line(double x1, double y1, double x2, double y2, const std::string& style) {
@@ -127,9 +126,9 @@ std::string lowHighChart(double nominal, const std::vector<LowHighLine>& lines,
     if (std::isfinite(entry.high)) {
       content += line(nominal_x, height(nominal), high_x, height(entry.high), style);
     }
-    content +=
-        line(high_x, height(end(order[k])), high_x + 14.0, places[k], "stroke:" + color + ";opacity:.5");
-    content += text(high_x + 17.0, places[k] + 4.0, "start", entry.label, color);
+    content += line(high_x, height(end(order[k])), high_x + 14.0, places[k],
+                    "stroke:" + color + ";stroke-width:1.5");
+    content += text(high_x + 17.0, places[k] + 4.0, "start", entry.label);
   }
   return svg(kLeft + kPlot + kRight, kTop + plot_height + kBottom, content);
 }
