@@ -57,7 +57,7 @@ Real smallestOver(Real a, Real b, int samples, Function&& f) {
          high = a + (b - a) * std::min(i + 1, samples) / samples;
     Real p = high - golden * (high - low), q = low + golden * (high - low);
     Real at_p = f(p), at_q = f(q);
-    for (int step = 0; step < 50; ++step) {
+    for (int step = 0; step < 32; ++step) {
       if (at_p < at_q) {
         high = q, q = p, at_q = at_p;
         p = high - golden * (high - low), at_p = f(p);
@@ -81,9 +81,23 @@ inline Real radiusAt(const Centreline::Piece& piece, Real t) {
   return piece.start_radius + t * (Real(piece.end_radius) - piece.start_radius);
 }
 
+/// Lowers `smallest` to the least of f over [a, b], where f changes by no more than `rate` per unit: halves
+/// what may hold less, then golden sections.
+template <typename Function>
+void lower(Real& smallest, Real a, Real at_a, Real b, Real at_b, Real rate, int halvings, const Function& f) {
+  smallest = std::min({smallest, at_a, at_b});
+  if ((at_a + at_b - rate * (b - a)) / 2 >= smallest) return;
+  if (halvings == 0) {
+    smallest = std::min(smallest, smallestOver(a, b, 2, f));
+    return;
+  }
+  const Real middle = (a + b) / 2, at_middle = f(middle);
+  lower(smallest, a, at_a, middle, at_middle, rate, halvings - 1, f);
+  lower(smallest, middle, at_middle, b, at_b, rate, halvings - 1, f);
+}
+
 /// Distance of the surfaces, no inside test.
-inline Real bruteForceDistance(const Centreline& cable, const TriangleMesh& mesh, const Pose& pose,
-                               int samples = 100) {
+inline Real bruteForceDistance(const Centreline& cable, const TriangleMesh& mesh, const Pose& pose) {
   const Eigen::Quaternion<Real> turn = pose.orientation.cast<Real>().normalized();
   std::vector<RealVector> vertices;
   for (const Eigen::Vector3d& vertex : mesh.vertices) {
@@ -96,12 +110,9 @@ inline Real bruteForceDistance(const Centreline& cable, const TriangleMesh& mesh
       const auto value = [&](Real t) {
         return triangleDistance(corners, curvePosition(piece.curve, t)) - radiusAt(piece, t);
       };
-      // samples are refined only if what lies between them can be lower than what is known
-      Real way = 0;
+      Real way = std::abs(Real(piece.end_radius) - piece.start_radius);
       for (std::size_t k = 1; k < 6; ++k) way += Real(k) * piece.curve.coefficients()[k].cast<Real>().norm();
-      way += std::abs(Real(piece.end_radius) - piece.start_radius);
-      if (value(0.5L) - way / 2 >= smallest) continue;
-      smallest = std::min(smallest, smallestOver(0, 1, samples, value));
+      lower(smallest, 0, value(0), 1, value(1), way, 6, value);
     }
   }
   return smallest;

@@ -20,6 +20,7 @@ using Nearest = DistancePart::Impl::Nearest;
 struct Sample {
   double u = 0.0;
   double depth = 0.0;
+  Eigen::Vector3d position;
   Nearest nearest;
 };
 
@@ -37,12 +38,17 @@ class Search {
   Search(const DistancePart::Impl& part, std::uint32_t solid, const std::vector<TubeSection>& sections)
       : part_(part), solid_(solid), sections_(sections) {}
 
-  Sample sample(std::size_t section, double u) const {
+  // near: a place whose depth is known; depths differ by no more than the places.
+  Sample sample(std::size_t section, double u, const Sample* near = nullptr) const {
     const Eigen::Vector3d x = sections_[section].position(u);
-    Sample here{u, 0.0, *part_.nearestOn(solid_, x, std::numeric_limits<double>::infinity())};
+    const double apart = near ? (x - near->position).norm() : std::numeric_limits<double>::infinity();
+    const double reach = near ? std::abs(near->depth) + apart + kTolerance : apart;
+    Sample here{u, 0.0, x, *part_.nearestOn(solid_, x, reach)};
     here.depth = here.nearest.at.distance;
     if (here.depth < kOnSurface) {
       here.depth = 0.0;
+    } else if (near && std::abs(near->depth) > apart) {
+      here.depth = std::copysign(here.depth, near->depth);
     } else {
       const std::vector<std::uint32_t> around = part_.solidsAround(x);
       if (std::find(around.begin(), around.end(), solid_) == around.end()) here.depth = -here.depth;
@@ -63,7 +69,7 @@ class Search {
     for (const Sample* end : {&a, &b}) {
       const Sample& other = end == &a ? b : a;
       const SurfaceTriangle& triangle = part_.tree.triangles[end->nearest.triangle];
-      const double there = nearestPoint(triangle, section.position(other.u)).distance;
+      const double there = nearestPoint(triangle, other.position).distance;
       made.bound = std::min(made.bound, std::max(std::abs(end->depth), there) + sagitta);
     }
     made.bound += std::max(section.radius(a.u), section.radius(b.u));
@@ -94,7 +100,7 @@ class Search {
       if (std::abs(next - u) <= 1e-16) break;
       u = next;
     }
-    const Sample there = sample(number, u);
+    const Sample there = sample(number, u, &from);
     return value(number, there) > value(number, from) ? there : from;
   }
 
@@ -133,9 +139,16 @@ std::optional<Deepest> deepest(const DistancePart::Impl& part, std::uint32_t sol
       return shell.solid == solid && squaredGap(shell.box, section.box) == 0.0;
     });
   };
+  std::optional<Sample> last;
+  std::size_t last_section = 0;
   for (std::size_t i = 0; i < sections.size(); ++i) {
     if (!boxes(sections[i])) continue;
-    const Sample a = search.sample(i, 0.0), b = search.sample(i, 1.0);
+    const bool goes_on = last && last_section + 1 == i && sections[i - 1].continued;
+    const Sample a = goes_on ? Sample{0.0, last->depth, last->position, last->nearest}
+                             : search.sample(i, 0.0, last ? &*last : nullptr);
+    const Sample b = search.sample(i, 1.0, &a);
+    last = b;
+    last_section = i;
     take(i, a);
     take(i, b);
     open.push(search.interval(i, a, b, sections[i].control));
@@ -152,7 +165,7 @@ std::optional<Deepest> deepest(const DistancePart::Impl& part, std::uint32_t sol
       continue;
     }
     if (interval.b.u - interval.a.u < kNarrowest) continue;
-    const Sample middle = search.sample(interval.section, 0.5 * (interval.a.u + interval.b.u));
+    const Sample middle = search.sample(interval.section, 0.5 * (interval.a.u + interval.b.u), &interval.a);
     take(interval.section, middle);
     const auto [left, right] = halves(interval.control);
     open.push(search.interval(interval.section, interval.a, middle, left));
@@ -165,7 +178,7 @@ std::optional<Deepest> deepest(const DistancePart::Impl& part, std::uint32_t sol
   Deepest result{-best.value, best.section, best.sample.u, best.sample.nearest,
                  std::numeric_limits<double>::infinity()};
   const TubeSection& section = sections[best.section];
-  const Eigen::Vector3d x = section.position(best.sample.u);
+  const Eigen::Vector3d& x = best.sample.position;
   const double radius = section.radius(best.sample.u);
   part.forEachNear(x, best.sample.depth + margin, [&](std::uint32_t triangle) {
     if (part.solidOf(triangle) != solid) return;
@@ -178,7 +191,7 @@ std::optional<Deepest> deepest(const DistancePart::Impl& part, std::uint32_t sol
     }
   });
   for (const Found& other : found) {
-    const double apart = (sections[other.section].position(other.sample.u) - x).norm();
+    const double apart = (other.sample.position - x).norm();
     if (other.value >= best.value - margin && apart > 2.0 * radius) {
       result.runner_up = std::min(result.runner_up, -other.value);
     }

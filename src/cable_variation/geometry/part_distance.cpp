@@ -101,8 +101,10 @@ bool isLocalMinimum(const std::vector<TubeSection>& sections, const Part& part, 
     const double slope = nearest.direction.dot(first) - (next.end_radius - next.start_radius);
     return sense * slope < -1e-9 * first.norm();
   };
-  if (cell.at.u == 1.0 && section.continued && descends(sections[cell.section + 1], 0.0, 1.0)) return false;
-  if (cell.at.u == 0.0 && cell.section > 0 && sections[cell.section - 1].continued &&
+  const double u = cell.at.u;
+  if ((u < 1.0 && descends(section, u, 1.0)) || (u > 0.0 && descends(section, u, -1.0))) return false;
+  if (u == 1.0 && section.continued && descends(sections[cell.section + 1], 0.0, 1.0)) return false;
+  if (u == 0.0 && cell.section > 0 && sections[cell.section - 1].continued &&
       descends(sections[cell.section - 1], 1.0, -1.0)) {
     return false;
   }

@@ -99,8 +99,11 @@ SectionMinimum valueAt(const TubeSection& section, const SurfaceTriangle& triang
 
 std::optional<SectionMinimum> smallest(const TubeSection& section, const SurfaceTriangle& triangle,
                                        double cutoff) {
+  // a first sieve: the distance to the triangle's plane
+  const double within = cutoff + section.reach + section.largestRadius();
+  if (std::abs(triangle.normal.dot(section.middle - triangle.corners[0])) >= within) return std::nullopt;
   SectionMinimum best{0.0, 0.5, nearestPoint(triangle, section.middle)};
-  if (best.nearest.distance - section.reach - section.largestRadius() >= cutoff) return std::nullopt;
+  if (best.nearest.distance >= within) return std::nullopt;
   best.value = best.nearest.distance - section.radius(0.5);
   const Interval whole{0.0, 1.0, section.control};
   if (planeBound(whole, section, best) >= cutoff) return std::nullopt;

@@ -39,9 +39,7 @@ ControlPoints controlPoints(const std::array<Eigen::Vector3d, 6>& powers) {
   return points;
 }
 
-void setShape(TubeSection& section) {
-  section.control = controlPoints(section.powers);
-  section.box = Box();
+void setBounds(TubeSection& section) {
   for (const Eigen::Vector3d& point : section.control) section.box.add(point);
   section.middle = section.position(0.5);
   double squared = 0.0;
@@ -53,12 +51,19 @@ void setShape(TubeSection& section) {
 
 // At least the angle that the curve turns about [rad]: that of its control polygon.
 double turnOf(const ControlPoints& points) {
+  std::array<Eigen::Vector3d, 5> legs;
+  for (std::size_t i = 0; i < 5; ++i) legs[i] = points[i + 1] - points[i];
+  // squared tangents, which are no less than the angles, tell without roots that all turn little
+  bool little = true;
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double along = legs[i].dot(legs[i + 1]);
+    little = little && along > 0.0 &&
+             16.0 * legs[i].cross(legs[i + 1]).squaredNorm() <= kTurn * kTurn * along * along;
+  }
+  if (little) return kTurn;
   double turn = 0.0;
-  for (std::size_t i = 0; i + 2 < 6; ++i) {
-    const Eigen::Vector3d a = points[i + 1] - points[i], b = points[i + 2] - points[i + 1];
-    const double across = a.cross(b).norm(), along = a.dot(b);
-    // the tangent is no less than the angle, and much quicker
-    turn += across < 0.25 * kTurn * along ? across / along : std::atan2(across, along);
+  for (std::size_t i = 0; i < 4; ++i) {
+    turn += std::atan2(legs[i].cross(legs[i + 1]).norm(), legs[i].dot(legs[i + 1]));
   }
   return turn;
 }
@@ -67,19 +72,19 @@ void check(const Centreline& cable, const std::vector<SkippedStretch>& skipped) 
   if (cable.pieces.empty()) throw std::invalid_argument("distance: a centreline without pieces");
   for (std::size_t i = 0; i < cable.pieces.size(); ++i) {
     const Centreline::Piece& piece = cable.pieces[i];
-    const std::string name = "distance: piece " + std::to_string(i) + " of the centreline";
+    const auto name = [i] { return "distance: piece " + std::to_string(i) + " of the centreline"; };
     if (!(std::isfinite(piece.start) && std::isfinite(piece.end) && piece.start < piece.end)) {
-      throw std::invalid_argument(name + ": arc lengths from " + std::to_string(piece.start) + " to " +
+      throw std::invalid_argument(name() + ": arc lengths from " + std::to_string(piece.start) + " to " +
                                   std::to_string(piece.end) + " m, expected to grow");
     }
     for (const double radius : {piece.start_radius, piece.end_radius}) {
       if (!(std::isfinite(radius) && radius >= 0.0)) {
-        throw std::invalid_argument(name + ": radius " + std::to_string(radius) +
+        throw std::invalid_argument(name() + ": radius " + std::to_string(radius) +
                                     " m, expected a finite one of at least 0");
       }
     }
     for (const Eigen::Vector3d& coefficient : piece.curve.coefficients()) {
-      if (!coefficient.allFinite()) throw std::invalid_argument(name + ": positions that are not finite");
+      if (!coefficient.allFinite()) throw std::invalid_argument(name() + ": positions that are not finite");
     }
   }
   for (const SkippedStretch& stretch : skipped) {
@@ -95,34 +100,31 @@ struct Range {
 };
 
 // What of a piece counts, cut where asked for.
-std::vector<Range> ranges(const Centreline::Piece& piece, const std::vector<SkippedStretch>& skipped,
-                          std::optional<double> cut) {
+void findRanges(const Centreline::Piece& piece, const std::vector<SkippedStretch>& skipped,
+                std::optional<double> cut, std::vector<Range>& ranges) {
   const double length = piece.end - piece.start;
-  std::vector<Range> left = {{0.0, 1.0}};
+  ranges.assign(1, {0.0, 1.0});
   for (const SkippedStretch& stretch : skipped) {
     const double from = (stretch.start - piece.start) / length, to = (stretch.end - piece.start) / length;
-    std::vector<Range> rest;
-    for (const Range& range : left) {
-      if (to <= range.start || from >= range.end) {
-        rest.push_back(range);
-        continue;
-      }
-      if (from - range.start > kShortest) rest.push_back({range.start, from});
-      if (range.end - to > kShortest) rest.push_back({to, range.end});
-    }
-    left = std::move(rest);
-  }
-  if (cut) {
-    const double at = (*cut - piece.start) / length;
-    for (std::size_t i = 0; i < left.size(); ++i) {
-      if (at - left[i].start > kShortest && left[i].end - at > kShortest) {
-        left.insert(left.begin() + static_cast<std::ptrdiff_t>(i) + 1, {at, left[i].end});
-        left[i].end = at;
-        break;
+    for (std::size_t i = ranges.size(); i-- > 0;) {
+      const Range range = ranges[i];
+      if (to <= range.start || from >= range.end) continue;
+      const auto here = ranges.erase(ranges.begin() + static_cast<std::ptrdiff_t>(i));
+      if (range.end - to > kShortest) ranges.insert(here, {to, range.end});
+      if (from - range.start > kShortest) {
+        ranges.insert(ranges.begin() + static_cast<std::ptrdiff_t>(i), {range.start, from});
       }
     }
   }
-  return left;
+  if (!cut) return;
+  const double at = (*cut - piece.start) / length;
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    if (at - ranges[i].start > kShortest && ranges[i].end - at > kShortest) {
+      ranges.insert(ranges.begin() + static_cast<std::ptrdiff_t>(i) + 1, {at, ranges[i].end});
+      ranges[i].end = at;
+      break;
+    }
+  }
 }
 
 }  // namespace
@@ -169,6 +171,7 @@ std::vector<TubeSection> sectionsOf(const Centreline& cable, const Pose& pose,
       (cable.pieces.back().end - cable.pieces.front().start) / static_cast<double>(kSections);
   std::vector<TubeSection> sections;
   sections.reserve(cable.pieces.size() + kSections);
+  std::vector<Range> counted;
   for (std::size_t i = 0; i < cable.pieces.size(); ++i) {
     const Centreline::Piece& piece = cable.pieces[i];
     TubeSection whole;
@@ -178,14 +181,8 @@ std::vector<TubeSection> sectionsOf(const Centreline& cable, const Pose& pose,
     for (Eigen::Vector3d& power : whole.powers) power = back * power;
     whole.control = controlPoints(whole.powers);
     const double turn = turnOf(whole.control);
-    const auto join = [&](const TubeSection& next) {
-      if (sections.empty()) return;
-      TubeSection& last = sections.back();
-      last.continued = last.piece == next.piece
-                           ? last.t_end == next.t_start
-                           : last.piece + 1 == next.piece && last.t_end == 1.0 && next.t_start == 0.0;
-    };
-    for (const Range& range : ranges(piece, skipped, cut)) {
+    findRanges(piece, skipped, cut, counted);
+    for (const Range& range : counted) {
       const double part = range.end - range.start;
       // 1.5: a cable of this many equal pieces is not cut further
       const double cuts = std::max({1.0, std::ceil(part * turn / kTurn),
@@ -193,7 +190,7 @@ std::vector<TubeSection> sectionsOf(const Centreline& cable, const Pose& pose,
       const std::size_t count =
           cuts < static_cast<double>(kMostCuts) ? static_cast<std::size_t>(cuts) : kMostCuts;
       for (std::size_t k = 0; k < count; ++k) {
-        TubeSection section = whole;
+        TubeSection& section = sections.emplace_back(whole);
         const auto at = [&](std::size_t step) {
           return step == count ? range.end
                                : range.start + part * static_cast<double>(step) / static_cast<double>(count);
@@ -204,12 +201,17 @@ std::vector<TubeSection> sectionsOf(const Centreline& cable, const Pose& pose,
         section.end_radius = cable.radius({i, section.t_end});
         if (section.t_start != 0.0 || section.t_end != 1.0) {
           section.powers = over(whole.powers, section.t_start, section.t_end);
+          section.control = controlPoints(section.powers);
         }
-        setShape(section);
-        join(section);
-        sections.push_back(section);
+        setBounds(section);
       }
     }
+  }
+  for (std::size_t i = 0; i + 1 < sections.size(); ++i) {
+    const TubeSection &here = sections[i], &next = sections[i + 1];
+    sections[i].continued = here.piece == next.piece
+                                ? here.t_end == next.t_start
+                                : here.piece + 1 == next.piece && here.t_end == 1.0 && next.t_start == 0.0;
   }
   return sections;
 }
