@@ -83,6 +83,34 @@ TEST(Design, AClipMovesAlongItsCable) {
   EXPECT_EQ(harnessAt(design, {}).clips[1].arc_length, 0.29);
 }
 
+// A new length that clips scale with moves a clip; the variable of its place has its nominal there.
+TEST(Design, WhatFollowsFromAnEditIsNominalToo) {
+  Design design = strand();
+  std::get<CableProperty>(design.scene.design_variables[0].target).clips_scale = true;
+  DesignVariable place;
+  place.name = "b_at";
+  place.target = ClipArcLength{1};
+  place.nominal = 0.3;
+  design.scene.design_variables.push_back(place);
+  setCableLength(design, "strand", 0.156);
+  EXPECT_DOUBLE_EQ(design.scene.design_variables[2].nominal, 0.15);
+  EXPECT_DOUBLE_EQ(harnessAt(design, {{"b_at", 0.15}}).clips[1].arc_length, 0.15);
+}
+
+// A factor is relative to the nominal one: setting it again does not apply it twice.
+TEST(Design, ARestCurvatureIsSetOnce) {
+  Design design = strand();
+  design.scene.harness.cables[0].rest_curvature = {{0.0, {0.0, 0.0, 2.0}}};
+  DesignVariable shape;
+  shape.name = "shape";
+  shape.target = CableProperty{0, CableProperty::Property::rest_curvature};
+  shape.nominal = 1.0;
+  design.scene.design_variables.push_back(shape);
+  setNominal(design, "shape", 1.1);
+  setNominal(design, "shape", 1.1);
+  EXPECT_DOUBLE_EQ(design.scene.harness.cables[0].rest_curvature[0].curvature.z(), 2.2);
+}
+
 TEST(Design, RefusedEditsChangeNothing) {
   Design design = strand();
   const double nan = std::nan("");

@@ -18,7 +18,9 @@ struct DesignRate {
 
 /// At the design that harnessAt(scene, values, moved) gives: its analytic derivative.
 /// One per entry of `variables` (indices into Scene::design_variables).
-/// Throws std::invalid_argument as harnessAt().
+/// Throws std::invalid_argument: an index out of range, an unknown name, a value that is not finite,
+/// deviations that locators cannot take, or a cable's property of value 0, of which a relative change has no
+/// meaning. Whether values leave the physical, harnessAt() tells.
 std::vector<DesignRate> designRates(const Scene& scene, const DesignValues& values,
                                     const ComponentPoses& moved, const std::vector<std::size_t>& variables);
 

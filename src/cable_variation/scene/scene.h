@@ -83,9 +83,9 @@ using DesignTarget =
     std::variant<ClipTranslation, ClipRotation, ClipArcLength, CableProperty, BreakoutArcLength,
                  ComponentTranslation, ComponentRotation, LocatorDeviation>;
 
-/// A quantity that production varies. Its value is a deviation from the scene's
-/// nominal for poses and locators (nominal 0), the quantity itself for the
-/// properties of a cable and for arc lengths.
+/// A quantity that production varies; at its nominal value it is as good as absent. Its value is a deviation
+/// from the scene's nominal for poses and locators (nominal 0), the quantity itself for the properties of a
+/// cable and for arc lengths.
 struct DesignVariable {
   std::string name;
   DesignTarget target;
