@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include <Eigen/Geometry>
 
+#include <cable_variation/geometry/parallel_bound.h>
 #include <cable_variation/geometry/surface_triangle.h>
 
 namespace cable_variation {
@@ -97,6 +99,14 @@ class Search {
     return std::max(sum,
                     -std::max(first_.radius(rectangle.first.a), first_.radius(rectangle.first.b)) -
                         std::max(second_.radius(rectangle.second.a), second_.radius(rectangle.second.b)));
+  }
+
+  /// The same for cylinders that run beside each other.
+  double boundBeside(const Rectangle& rectangle) const {
+    if (taper(first_) != 0.0 || taper(second_) != 0.0) return -std::numeric_limits<double>::infinity();
+    const double first = parallelBound(first_, rectangle.first.control, second_).value_or(0.0);
+    const double second = parallelBound(second_, rectangle.second.control, first_).value_or(0.0);
+    return std::max(first, second) - first_.start_radius - second_.start_radius;
   }
 
   /// A local minimum within the rectangle, by Newton's method on half the squared distance; where that does
@@ -219,7 +229,7 @@ std::optional<PairMinimum> smallest(const TubeSection& first, const TubeSection&
     if (done(search.bound(rectangle, valueAt(first, second, 0.5 * (p.a + p.b), 0.5 * (q.a + q.b))))) continue;
     if (const auto local = search.localMinimum(rectangle)) {
       if (!best || local->value < best->value) best = local;
-      if (done(search.bound(rectangle, *local))) continue;
+      if (done(search.bound(rectangle, *local)) || done(search.boundBeside(rectangle))) continue;
     }
     if (p.b - p.a < kNarrowest && q.b - q.a < kNarrowest) continue;
     const double way_p = (p.control[5] - p.control[0]).norm(), way_q = (q.control[5] - q.control[0]).norm();

@@ -138,6 +138,20 @@ std::array<ControlPoints, 2> halves(const ControlPoints& points) {
   return {left, right};
 }
 
+ControlPoints restricted(const ControlPoints& points, double start, double end) {
+  // point i is the blossom at 5 - i times start and i times end
+  ControlPoints result;
+  for (std::size_t i = 0; i < 6; ++i) {
+    ControlPoints level = points;
+    for (std::size_t k = 0; k < 5; ++k) {
+      const double u = k < i ? end : start;
+      for (std::size_t j = 0; j + k + 1 < 6; ++j) level[j] = (1.0 - u) * level[j] + u * level[j + 1];
+    }
+    result[i] = level[0];
+  }
+  return result;
+}
+
 double sagittaBound(const ControlPoints& points) {
   double squared = 0.0;
   for (std::size_t i = 1; i < 5; ++i) {

@@ -17,6 +17,9 @@ using ControlPoints = std::array<Eigen::Vector3d, 6>;
 /// Both halves (de Casteljau).
 std::array<ControlPoints, 2> halves(const ControlPoints& points);
 
+/// The curve from parameter `start` to `end`, in either order.
+ControlPoints restricted(const ControlPoints& points, double start, double end);
+
 /// How far the curve can be from its chord, run through evenly [m].
 double sagittaBound(const ControlPoints& points);
 
