@@ -219,7 +219,7 @@ HarnessResponse LinearResponse::to(const HarnessChange& change) {
   HarnessResponse response;
   response.motion = is_explicit ? force(change) : system.zeroField();
   turnAxes(change, response.motion.unknowns);
-  system.solveCarried(change.carried, response.motion);
+  system.solveCarried(change.carried, response.motion, !is_explicit);
 
   response.arc_lengths = change.arc_lengths;
   Eigen::VectorXd slides = Eigen::VectorXd::Zero(response.arc_lengths.size());

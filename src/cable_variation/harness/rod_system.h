@@ -137,11 +137,16 @@ class RodSystem {
   void assembleArcLength();
   void reduceSpan(std::size_t span, int& negative);
   /// `carried`: motion of the spans' ends that is given, not solved for.
-  void condense(NodalField& force, const std::vector<Vector14d>& carried, std::vector<Vector14d>& reduced);
+  void condense(const NodalField& force, const std::vector<Vector14d>& carried,
+                std::vector<Vector14d>& reduced);
+  void condenseForceless(const std::vector<Vector14d>& carried, std::vector<Vector14d>& reduced);
+  void pushByHeldEnd(std::size_t span, const Vector14d& carried);
   Matrix6d endStiffness(const Element& element, int row_end, int column_end) const;
   void expand(const std::vector<Vector14d>& ends, NodalField& motion);
-  /// From the force in `motion` to the motion, stations being carried along.
-  void solveCarried(const Eigen::Matrix<double, 6, Eigen::Dynamic>& carried, NodalField& motion);
+  /// From the force in `motion` to the motion, stations being carried along. `forceless`: the force on the
+  /// spans' nodes is known to be zero.
+  void solveCarried(const Eigen::Matrix<double, 6, Eigen::Dynamic>& carried, NodalField& motion,
+                    bool forceless);
   Vector14d endMotion(std::size_t span, const Eigen::VectorXd& unknowns) const;
   void addToUnknowns(std::size_t span, const Vector14d& force, Eigen::VectorXd& unknowns) const;
 

@@ -227,7 +227,33 @@ Matrix6d RodSystem::endStiffness(const Element& element, int row_end, int column
   return block;
 }
 
-void RodSystem::condense(NodalField& force, const std::vector<Vector14d>& carried,
+// The chain knows nothing of a held end: its motion acts as a force on the next node.
+void RodSystem::pushByHeldEnd(std::size_t span, const Vector14d& carried) {
+  SpanData& data = spans_[span];
+  const int near = data.reversed ? 1 : 0;
+  const Vector6d motion = carried.segment<6>(6 * near);
+  if (!data.near_held || motion.isZero(0.0)) return;
+  const Element first = elementOf(span, data.reversed ? data.elements - 1 : 0);
+  data.nodes.col(1) -= endStiffness(first, 1 - near, near) * motion;
+}
+
+// condense() of no force.
+void RodSystem::condenseForceless(const std::vector<Vector14d>& carried, std::vector<Vector14d>& reduced) {
+  for (Batch& batch : batches_) std::fill(&batch.scratch[0][0], &batch.scratch[0][0] + kDofs * kLanes, 0.0);
+  reduced.assign(spans_.size(), Vector14d::Zero());
+  for (std::size_t i = 0; i < spans_.size(); ++i) {
+    SpanData& data = spans_[i];
+    data.nodes.setZero();
+    pushByHeldEnd(i, carried[i]);
+    if (data.nodes.isZero(0.0)) continue;
+    Eigen::Vector2d slide = Eigen::Vector2d::Zero();
+    data.chain.condense(data.nodes, slide);
+    const Eigen::Index last = data.nodes.cols() - 1;
+    reduced[i] << data.nodes.col(data.reversed ? last : 0), data.nodes.col(data.reversed ? 0 : last), slide;
+  }
+}
+
+void RodSystem::condense(const NodalField& force, const std::vector<Vector14d>& carried,
                          std::vector<Vector14d>& reduced) {
   const element::Kernel& kernel = element::kernel();
   for (std::size_t i = 0; i < spans_.size(); ++i) {
@@ -269,12 +295,7 @@ void RodSystem::condense(NodalField& force, const std::vector<Vector14d>& carrie
         slide -= y * Eigen::Vector2d(batch.slide[0][k][at.lane], batch.slide[1][k][at.lane]);
       }
     }
-    if (data.near_held && !carried.empty()) {
-      // the chain knows nothing of a held end: its motion acts as a force on the next node
-      const int near = data.reversed ? 1 : 0;
-      const Element first = elementOf(i, data.reversed ? data.elements - 1 : 0);
-      data.nodes.col(1) -= endStiffness(first, 1 - near, near) * carried[i].segment<6>(6 * near);
-    }
+    if (!carried.empty()) pushByHeldEnd(i, carried[i]);
     data.chain.condense(data.nodes, slide);
     reduced[i].head<6>() = data.nodes.col(chainColumn(0));
     reduced[i].segment<6>(6) = data.nodes.col(chainColumn(count));
@@ -339,17 +360,22 @@ void RodSystem::solve(const NodalField& force, NodalField& motion) {
 
 void RodSystem::follow(const Eigen::Matrix<double, 6, Eigen::Dynamic>& carried, NodalField& motion) {
   motion = zeroField();
-  solveCarried(carried, motion);
+  solveCarried(carried, motion, true);
 }
 
-void RodSystem::solveCarried(const Eigen::Matrix<double, 6, Eigen::Dynamic>& carried, NodalField& motion) {
+void RodSystem::solveCarried(const Eigen::Matrix<double, 6, Eigen::Dynamic>& carried, NodalField& motion,
+                             bool forceless) {
   std::vector<Vector14d> given(spans_.size(), Vector14d::Zero());
   for (std::size_t i = 0; i < spans_.size(); ++i) {
     given[i].head<6>() = carried.col(static_cast<Eigen::Index>(topology_.spans[i].left));
     given[i].segment<6>(6) = carried.col(static_cast<Eigen::Index>(topology_.spans[i].right));
   }
   std::vector<Vector14d> ends;
-  condense(motion, given, ends);
+  if (forceless) {
+    condenseForceless(given, ends);
+  } else {
+    condense(motion, given, ends);
+  }
   for (std::size_t i = 0; i < spans_.size(); ++i) {
     addToUnknowns(i, ends[i] - spans_[i].reduced * given[i], motion.unknowns);
   }
