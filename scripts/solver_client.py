@@ -43,10 +43,20 @@ def call(node, service, kind, **request):
     return answer
 
 
+WIDTH = 100  # of what is printed, in characters
+
+
+def shortened(text, width):
+    return text if len(text) <= width else text[:width - 2] + '..'
+
+
 def table(header, rows, left=1):
-    """Prints columns as wide as they need to be, the first `left` of them flush left."""
+    """Prints columns as wide as they need to be, the first `left` of them flush left. Where they are wider
+    than WIDTH together, the first one is shortened."""
     widths = [max(len(row[i]) for row in [header] + rows) for i in range(len(header))]
+    widths[0] -= max(0, sum(widths) + 2 * len(widths) - WIDTH)
     for row in [header] + rows:
+        row = [shortened(row[0], widths[0])] + row[1:]
         cells = [cell.ljust(width) if i < left else cell.rjust(width)
                  for i, (cell, width) in enumerate(zip(row, widths))]
         print(('  ' + '  '.join(cells)).rstrip())

@@ -10,8 +10,10 @@ CableSolver::CableSolver(ros::NodeHandle node, const CableSolverParameters& para
     : node_(std::move(node)),
       context_(loadScene(parameters.scene)),
       publisher_(node_),
+      variation_(node_),
       diagnostics_(node_, context_),
       solve_equilibrium_(node_, context_),
+      analyze_stability_(node_, context_, variation_, OutputDirectory(parameters.output_directory)),
       get_scene_(node_, context_),
       load_scene_(node_, context_),
       design_(node_, context_) {
@@ -28,6 +30,7 @@ void CableSolver::show() {
     ROS_ERROR_THROTTLE(5.0, "%s: %s", toString(equilibrium.status), equilibrium.message.c_str());
   }
   publisher_.publish(context_);
+  analyze_stability_.contextChanged();
   diagnostics_.contextChanged();
 }
 

@@ -4,6 +4,7 @@
 
 #include <ros/node_handle.h>
 
+#include <ros_interface/analyze_stability_service.h>
 #include <ros_interface/design_service.h>
 #include <ros_interface/get_scene_service.h>
 #include <ros_interface/load_scene_service.h>
@@ -13,6 +14,7 @@
 #include <ros_interface/solver_diagnostics.h>
 #include <ros_interface/solver_publisher.h>
 #include <ros_interface/tf_follower.h>
+#include <ros_interface/variation_publisher.h>
 
 namespace cable_variation_ros {
 
@@ -29,8 +31,10 @@ class CableSolver {
   ros::NodeHandle node_;
   SolverContext context_;
   SolverPublisher publisher_;
+  VariationPublisher variation_;
   SolverDiagnostics diagnostics_;
   SolveEquilibriumService solve_equilibrium_;
+  AnalyzeStabilityService analyze_stability_;
   GetSceneService get_scene_;
   LoadSceneService load_scene_;
   DesignService design_;

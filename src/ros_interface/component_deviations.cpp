@@ -6,7 +6,9 @@ namespace cable_variation_ros {
 
 using cable_variation::Component;
 using cable_variation::ComponentPoses;
+using cable_variation::DesignValues;
 using cable_variation::Pose;
+using cable_variation::Scene;
 
 namespace {
 
@@ -21,12 +23,13 @@ bool isIdentity(const Pose& pose) {
 
 }  // namespace
 
-ComponentPoses componentDeviations(const cable_variation::Design& design, const ComponentPoses& moved) {
+ComponentPoses componentDeviations(const Scene& scene, const DesignValues& values,
+                                   const ComponentPoses& moved) {
   ComponentPoses deviations;
-  if (design.shifted.empty()) return deviations;
-  const ComponentPoses actual = componentPosesAt(design.scene, design.shifted, moved);
-  for (const Component& component : design.scene.components) {
-    const Pose designed = componentPose(design.scene, component.name, moved);
+  if (values.empty()) return deviations;
+  const ComponentPoses actual = componentPosesAt(scene, values, moved);
+  for (const Component& component : scene.components) {
+    const Pose designed = componentPose(scene, component.name, moved);
     const Pose deviation = designed.inverse() * actual.at(component.name);
     if (!isIdentity(deviation)) deviations[component.name] = deviation;
   }

@@ -2,13 +2,14 @@
 
 #include <cable_variation/ComponentDeviations.h>
 
-#include <cable_variation/scene/design.h>
+#include <cable_variation/scene/scene.h>
 
 namespace cable_variation_ros {
 
-/// What the design does to components: the pose of each that it moves, in its frame
-/// as `moved` and the scene have it.
-cable_variation::ComponentPoses componentDeviations(const cable_variation::Design& design,
+/// What design variables at `values` do to components: the pose of each that they
+/// move, in its frame as `moved` and the scene have it.
+cable_variation::ComponentPoses componentDeviations(const cable_variation::Scene& scene,
+                                                    const cable_variation::DesignValues& values,
                                                     const cable_variation::ComponentPoses& moved);
 
 cable_variation::ComponentDeviations toMessage(const cable_variation::ComponentPoses& deviations);

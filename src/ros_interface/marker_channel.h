@@ -22,6 +22,8 @@ class MarkerChannel {
   /// `markers` is all there is to be seen.
   void publish(visualization_msgs::MarkerArray markers);
 
+  std::string topic() const { return publisher_.getTopic(); }
+
  private:
   ros::Publisher publisher_;
   std::set<std::pair<std::string, int>> shown_;

@@ -4,6 +4,7 @@
 
 #include <cable_variation/scene/moving_components.h>
 #include <ros_interface/enum_names.h>
+#include <ros_interface/measure_conversion.h>
 #include <ros_interface/message_conversion.h>
 
 namespace cable_variation_ros {
@@ -127,18 +128,6 @@ LoadInfo toInfo(const PointLoad& load, const Harness& harness) {
   return info;
 }
 
-DesignVariableInfo toInfo(const DesignVariable& variable, const Scene& scene) {
-  DesignVariableInfo info;
-  info.name = variable.name;
-  std::visit(DescribeTarget{scene, info}, variable.target);
-  info.unit = variable.unit;
-  info.nominal = variable.nominal;
-  info.lower = variable.lower;
-  info.upper = variable.upper;
-  info.distribution = variable.distribution;
-  return info;
-}
-
 ToleranceRegionInfo toInfo(const ToleranceRegion& region, const Scene& scene) {
   ToleranceRegionInfo info;
   info.name = region.name;
@@ -173,6 +162,18 @@ MotionInfo toInfo(const Motion& motion) {
 
 }  // namespace
 
+DesignVariableInfo toInfo(const DesignVariable& variable, const Scene& scene) {
+  DesignVariableInfo info;
+  info.name = variable.name;
+  std::visit(DescribeTarget{scene, info}, variable.target);
+  info.unit = variable.unit;
+  info.nominal = variable.nominal;
+  info.lower = variable.lower;
+  info.upper = variable.upper;
+  info.distribution = variable.distribution;
+  return info;
+}
+
 GetSceneResponse toResponse(const Design& design, const ComponentPoses& moved) {
   GetSceneResponse response;
   const Scene& scene = design.scene;
@@ -203,6 +204,7 @@ GetSceneResponse toResponse(const Design& design, const ComponentPoses& moved) {
   for (const Correlation& correlation : scene.correlations) {
     response.correlations.push_back(toInfo(correlation, scene));
   }
+  for (const Measure& measure : scene.measures) response.measures.push_back(toInfo(measure, scene));
   for (const Motion& motion : scene.motions) response.motions.push_back(toInfo(motion));
   return response;
 }

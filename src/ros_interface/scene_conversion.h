@@ -11,4 +11,8 @@ namespace cable_variation_ros {
 cable_variation::GetSceneResponse toResponse(const cable_variation::Design& design,
                                              const cable_variation::ComponentPoses& moved);
 
+/// `nominal` as in the scene.
+cable_variation::DesignVariableInfo toInfo(const cable_variation::DesignVariable& variable,
+                                           const cable_variation::Scene& scene);
+
 }  // namespace cable_variation_ros

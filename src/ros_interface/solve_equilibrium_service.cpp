@@ -1,11 +1,13 @@
 #include <ros_interface/solve_equilibrium_service.h>
 
+#include <numeric>
 #include <sstream>
 
 #include <ros/node_handle.h>
 
 #include <cable_variation/scene/moving_components.h>
 #include <ros_interface/design_values.h>
+#include <ros_interface/measure_conversion.h>
 #include <ros_interface/message_conversion.h>
 #include <ros_interface/names.h>
 #include <ros_interface/request_status.h>
@@ -33,6 +35,12 @@ ComponentPoses posesOf(const Scene& scene, const std::string& name, double time)
   throw RequestError(Status::NOT_FOUND, "no motion named '" + name + "'");
 }
 
+std::vector<std::size_t> allMeasures(const Scene& scene) {
+  std::vector<std::size_t> all(scene.measures.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  return all;
+}
+
 }  // namespace
 
 SolveEquilibriumService::SolveEquilibriumService(ros::NodeHandle& node, const SolverContext& context)
@@ -46,7 +54,12 @@ bool SolveEquilibriumService::handle(Request& request, Response& response) {
     const ComponentPoses moved =
         request.motion.empty() ? context_.moved() : posesOf(scene, request.motion, request.time);
     const SolverContext::Trial trial = context_.solve(values, moved, request.follow);
-    response = toResponse(trial.equilibrium, trial.harness);
+    Response answer = toResponse(trial.equilibrium, trial.harness);
+    const std::vector<std::size_t> all = allMeasures(scene);
+    const std::vector<cable_variation::MeasureValue> measured = context_.measure(trial, all);
+    for (const std::size_t i : all)
+      answer.measures.push_back(toResult(scene.measures[i], measured[i], scene));
+    response = std::move(answer);
   });
   response.status = status;
   return true;

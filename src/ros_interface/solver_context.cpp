@@ -1,7 +1,9 @@
 #include <ros_interface/solver_context.h>
 
+#include <limits>
 #include <utility>
 
+#include <cable_variation/scene/design_rate.h>
 #include <ros_interface/request_status.h>
 
 namespace cable_variation_ros {
@@ -13,7 +15,13 @@ using cable_variation::Equilibrium;
 using cable_variation::EquilibriumOptions;
 using cable_variation::EquilibriumSolver;
 using cable_variation::Harness;
+using cable_variation::Measure;
+using cable_variation::MeasureEvaluator;
+using cable_variation::MeasureValue;
 using cable_variation::Scene;
+using cable_variation::SolvedScene;
+using cable_variation::StabilityAnalysis;
+using cable_variation::StabilityOptions;
 
 SolverContext::SolverContext(Scene scene)
     : loaded_(std::move(scene)),
@@ -28,7 +36,8 @@ EquilibriumSolver SolverContext::newSolver(const Scene& scene) const {
   return EquilibriumSolver(options);
 }
 
-void SolverContext::notify() const {
+void SolverContext::notify() {
+  evaluator_in_force_ = false;
   if (changed_) changed_();
 }
 
@@ -49,6 +58,7 @@ void SolverContext::load(Scene scene) {
   requireConverged(equilibrium);
   loaded_ = design.scene;
   moved_.clear();
+  evaluator_.reset();
   take(std::move(solver), std::move(design), std::move(harness), std::move(equilibrium));
 }
 
@@ -84,7 +94,65 @@ SolverContext::Trial SolverContext::solve(const DesignValues& values, const Comp
   EquilibriumSolver solver = follow ? solver_ : newSolver(design_.scene);
   trial.equilibrium = follow ? solver.update(trial.harness) : solver.solve(trial.harness);
   requireConverged(trial.equilibrium);
+  DesignValues all = values;
+  all.insert(design_.shifted.begin(), design_.shifted.end());
+  trial.components = componentPosesAt(design_.scene, all, moved);
   return trial;
+}
+
+const MeasureEvaluator& SolverContext::preparedEvaluator(const SolvedScene& any) const {
+  if (!evaluator_) evaluator_.emplace(design_.scene, any);
+  return *evaluator_;
+}
+
+std::vector<MeasureValue> SolverContext::measure(const SolvedScene& at,
+                                                 const std::vector<std::size_t>& measures) const {
+  if (equilibrium_.converged()) {
+    if (!evaluator_in_force_) {
+      const ComponentPoses components = componentPosesAt(design_.scene, design_.shifted, moved_);
+      const SolvedScene nominal{harness_, equilibrium_, components};
+      evaluator_ = preparedEvaluator(nominal).with(design_.scene, nominal);
+      evaluator_in_force_ = true;
+    }
+    return evaluator_->evaluate(at, measures);
+  }
+  std::vector<MeasureValue> values = preparedEvaluator(at).with(design_.scene, at).evaluate(at, measures);
+  for (std::size_t i = 0; i < measures.size(); ++i) {
+    if (design_.scene.measures[measures[i]].type != Measure::Type::similarity) continue;
+    values[i] = MeasureValue();
+    values[i].value = std::numeric_limits<double>::quiet_NaN();
+    values[i].note = "the design in force has no equilibrium to compare with";
+  }
+  return values;
+}
+
+std::vector<MeasureValue> SolverContext::measure(const Trial& trial,
+                                                 const std::vector<std::size_t>& measures) const {
+  return measure(SolvedScene{trial.harness, trial.equilibrium, trial.components}, measures);
+}
+
+std::vector<MeasureValue> SolverContext::measure(const std::vector<std::size_t>& measures) const {
+  const ComponentPoses components = componentPosesAt(design_.scene, design_.shifted, moved_);
+  return measure(SolvedScene{harness_, equilibrium_, components}, measures);
+}
+
+StabilityAnalysis SolverContext::analyse(StabilityOptions& options) const {
+  const Harness harness = harnessAt(design_, options.values, moved_);
+  EquilibriumSolver solver = solver_;
+  Equilibrium equilibrium = options.values.empty() ? equilibrium_ : solver.update(harness);
+  if (!equilibrium.converged() && !options.values.empty()) equilibrium = solver.solve(harness);
+  requireConverged(equilibrium);
+  options.values.insert(design_.shifted.begin(), design_.shifted.end());
+  options.moved = moved_;
+  const ComponentPoses components = componentPosesAt(design_.scene, options.values, moved_);
+  const MeasureEvaluator& prepared = preparedEvaluator({harness, equilibrium, components});
+  return analyseStability(design_.scene, prepared, options, std::move(solver));
+}
+
+cable_variation::EquilibriumRate SolverContext::shapeRate(std::size_t variable) const {
+  EquilibriumSolver solver = solver_;
+  const auto design = designRates(design_.scene, design_.shifted, moved_, {variable});
+  return solver.differentiate({design.front().harness}).front();
 }
 
 }  // namespace cable_variation_ros

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include <cable_variation/harness/equilibrium.h>
 #include <cable_variation/scene/design.h>
+#include <cable_variation/variation/stability_analysis.h>
 
 namespace cable_variation_ros {
 
@@ -35,20 +37,40 @@ class SolverContext {
   /// Components have moved: the shape follows. Whether it could, equilibrium() tells.
   void move(const cable_variation::ComponentPoses& moved);
 
-  /// An equilibrium beside the one in force, with its harness.
+  /// An equilibrium beside the one in force.
   struct Trial {
     cable_variation::Harness harness;
     cable_variation::Equilibrium equilibrium;
+    cable_variation::ComponentPoses components;  ///< all, world
   };
   /// `follow`: from the shape in force, else from nothing.
   Trial solve(const cable_variation::DesignValues& values, const cable_variation::ComponentPoses& moved,
               bool follow) const;
 
+  /// Measures (indices into Scene::measures) of a trial, similarity being that
+  /// to the shape in force; without such a shape it is not a number, and its
+  /// note says so.
+  std::vector<cable_variation::MeasureValue> measure(const Trial& trial,
+                                                     const std::vector<std::size_t>& measures) const;
+  /// Of the shape in force, which must have converged.
+  std::vector<cable_variation::MeasureValue> measure(const std::vector<std::size_t>& measures) const;
+
+  /// Of the design in force with `options.values`, to which the shape is followed
+  /// where it can be. Completes options.values with what is in force, and options.moved.
+  /// Throws RequestError if there is no equilibrium.
+  cable_variation::StabilityAnalysis analyse(cable_variation::StabilityOptions& options) const;
+
+  /// How the shape in force, which must have converged, changes with a design variable (an index).
+  cable_variation::EquilibriumRate shapeRate(std::size_t variable) const;
+
  private:
   cable_variation::EquilibriumSolver newSolver(const cable_variation::Scene& scene) const;
   void take(cable_variation::EquilibriumSolver solver, cable_variation::Design design,
             cable_variation::Harness harness, cable_variation::Equilibrium equilibrium);
-  void notify() const;
+  void notify();
+  const cable_variation::MeasureEvaluator& preparedEvaluator(const cable_variation::SolvedScene& any) const;
+  std::vector<cable_variation::MeasureValue> measure(const cable_variation::SolvedScene& at,
+                                                     const std::vector<std::size_t>& measures) const;
 
   cable_variation::Scene loaded_;  ///< for reset()
   cable_variation::Design design_;
@@ -57,6 +79,9 @@ class SolverContext {
   cable_variation::EquilibriumSolver solver_;
   cable_variation::Equilibrium equilibrium_;
   std::function<void()> changed_;
+  // Preparing the components' geometry takes tens of milliseconds: done when first needed, kept for a scene.
+  mutable std::optional<cable_variation::MeasureEvaluator> evaluator_;
+  mutable bool evaluator_in_force_ = false;  ///< its nominal shape is the one in force
 };
 
 }  // namespace cable_variation_ros

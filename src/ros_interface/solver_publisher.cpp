@@ -5,6 +5,7 @@
 #include <ros_interface/cable_markers.h>
 #include <ros_interface/clip_markers.h>
 #include <ros_interface/component_deviations.h>
+#include <ros_interface/interference_markers.h>
 #include <ros_interface/message_conversion.h>
 #include <ros_interface/names.h>
 #include <ros_interface/solver_context.h>
@@ -12,9 +13,26 @@
 namespace cable_variation_ros {
 
 using cable_variation::ComponentDeviations;
+using cable_variation::Measure;
+
+namespace {
+
+visualization_msgs::MarkerArray interferenceOf(const SolverContext& context) {
+  if (!context.equilibrium().converged()) return {};
+  const cable_variation::Scene& scene = context.design().scene;
+  std::vector<std::size_t> distances;
+  for (std::size_t i = 0; i < scene.measures.size(); ++i) {
+    if (scene.measures[i].type == Measure::Type::distance) distances.push_back(i);
+  }
+  if (distances.empty()) return {};
+  return interferenceMarkers(scene, distances, context.measure(distances));
+}
+
+}  // namespace
 
 SolverPublisher::SolverPublisher(ros::NodeHandle& node)
     : cables_(node, kCablesTopic),
+      interference_(node, kInterferenceTopic),
       shapes_(node.advertise<cable_variation::CableShapes>(kShapesTopic, 1, true)),
       deviations_(node.advertise<ComponentDeviations>(kComponentDeviationsTopic, 1, true)) {
   deviations_.publish(deviations_shown_);
@@ -25,8 +43,10 @@ void SolverPublisher::publish(const SolverContext& context) {
   const visualization_msgs::MarkerArray clips = clipMarkers(context.equilibrium(), context.harness());
   markers.markers.insert(markers.markers.end(), clips.markers.begin(), clips.markers.end());
   cables_.publish(markers);
+  interference_.publish(interferenceOf(context));
   shapes_.publish(toCableShapes(context.equilibrium(), context.harness(), ros::Time::now()));
-  const ComponentDeviations deviations = toMessage(componentDeviations(context.design(), context.moved()));
+  const ComponentDeviations deviations =
+      toMessage(componentDeviations(context.design().scene, context.design().shifted, context.moved()));
   if (deviations == deviations_shown_) return;
   deviations_.publish(deviations);
   deviations_shown_ = deviations;

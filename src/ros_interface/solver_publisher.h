@@ -14,8 +14,8 @@ namespace cable_variation_ros {
 
 class SolverContext;
 
-/// Shows the design in force: ~cables (markers of cables and clips), ~shapes and
-/// ~component_deviations.
+/// Shows the design in force: ~cables (markers of cables and clips), ~shapes,
+/// ~component_deviations and, as ~interference, what distances were measured.
 class SolverPublisher {
  public:
   explicit SolverPublisher(ros::NodeHandle& node);
@@ -23,6 +23,7 @@ class SolverPublisher {
 
  private:
   MarkerChannel cables_;
+  MarkerChannel interference_;
   ros::Publisher shapes_;
   ros::Publisher deviations_;
   cable_variation::ComponentDeviations deviations_shown_;

@@ -1,0 +1,163 @@
+#include <ros_interface/analyze_stability_service.h>
+
+#include <algorithm>
+#include <ctime>
+
+#include <ros/node_handle.h>
+
+#include <cable_variation/report/output_file.h>
+#include <cable_variation/report/page.h>
+#include <cable_variation/report/stability_section.h>
+#include <ros_interface/component_deviations.h>
+#include <ros_interface/component_variation_markers.h>
+#include <ros_interface/design_values.h>
+#include <ros_interface/names.h>
+#include <ros_interface/request_status.h>
+#include <ros_interface/sensitivity_markers.h>
+#include <ros_interface/shown_variable.h>
+#include <ros_interface/solver_context.h>
+#include <ros_interface/stability_conversion.h>
+#include <ros_interface/variation_publisher.h>
+
+namespace cable_variation_ros {
+
+using cable_variation::ComponentPoses;
+using cable_variation::ComponentVariation;
+using cable_variation::DesignVariable;
+using cable_variation::Scene;
+using cable_variation::StabilityAnalysis;
+using cable_variation::StabilityOptions;
+using cable_variation::Status;
+
+namespace {
+
+template <typename Named>
+std::vector<std::size_t> indicesOf(const std::vector<std::string>& names, const std::vector<Named>& all,
+                                   const char* kind) {
+  std::vector<std::size_t> indices;
+  for (const std::string& name : names) {
+    const auto found =
+        std::find_if(all.begin(), all.end(), [&](const Named& each) { return each.name == name; });
+    if (found == all.end()) {
+      throw RequestError(Status::NOT_FOUND, std::string("no ") + kind + " named '" + name + "'");
+    }
+    const auto index = static_cast<std::size_t>(found - all.begin());
+    if (std::find(indices.begin(), indices.end(), index) != indices.end()) {
+      throw std::invalid_argument(std::string(kind) + " '" + name + "' is given twice");
+    }
+    indices.push_back(index);
+  }
+  return indices;
+}
+
+/// The column whose effect is to be shown: the one asked for, or the one worth
+/// looking at first; none if components are shown.
+std::optional<std::size_t> shownColumn(const cable_variation::AnalyzeStabilityRequest& request,
+                                       const Scene& scene, const StabilityAnalysis& analysis) {
+  if (request.show_components) return std::nullopt;
+  if (request.show.empty()) return mostTellingVariable(scene, analysis);
+  for (std::size_t j = 0; j < analysis.variables.size(); ++j) {
+    if (scene.design_variables[analysis.variables[j]].name == request.show) return j;
+  }
+  throw std::invalid_argument("show: '" + request.show + "' is not among the variables analysed");
+}
+
+std::vector<ComponentVariation> variationsOf(const Scene& scene, const StabilityOptions& options) {
+  std::vector<ComponentVariation> variations;
+  for (std::size_t i = 0; i < scene.components.size(); ++i) {
+    const std::vector<std::size_t> own = ownVariables(scene, i);
+    if (own.empty()) continue;
+    variations.push_back(componentVariation(scene, i, own, options.values, options.moved));
+  }
+  return variations;
+}
+
+/// "2024-03-01 12:34:56 UTC"
+std::string utcNow() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  gmtime_r(&now, &parts);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%d %H:%M:%S UTC", &parts);
+  return text;
+}
+
+}  // namespace
+
+AnalyzeStabilityService::AnalyzeStabilityService(ros::NodeHandle& node, const SolverContext& context,
+                                                 VariationPublisher& publisher, const OutputDirectory& output)
+    : context_(context),
+      publisher_(publisher),
+      output_(output),
+      server_(node.advertiseService(kAnalyzeStabilityService, &AnalyzeStabilityService::handle, this)) {}
+
+bool AnalyzeStabilityService::handle(Request& request, Response& response) {
+  Response answer;
+  const Status status = runRequest([&] { answer = analyse(request); });
+  if (status.code == Status::SUCCESS) response = std::move(answer);
+  response.status = status;
+  return true;
+}
+
+void AnalyzeStabilityService::contextChanged() {
+  const std::vector<DesignVariable>& variables = context_.design().scene.design_variables;
+  const auto found = std::find_if(variables.begin(), variables.end(),
+                                  [&](const DesignVariable& each) { return each.name == followed_; });
+  if (found == variables.end() || !context_.equilibrium().converged()) {
+    publisher_.clear();
+    return;
+  }
+  const auto index = static_cast<std::size_t>(found - variables.begin());
+  const SensitivityView view =
+      sensitivityView(*found, context_.harness(), context_.equilibrium(), context_.shapeRate(index));
+  publisher_.show(view.markers, view.legend);
+}
+
+AnalyzeStabilityService::Response AnalyzeStabilityService::analyse(const Request& request) {
+  if (!request.report.empty()) OutputDirectory::checkName(request.report);
+  const cable_variation::Design& design = context_.design();
+  const Scene& scene = design.scene;
+  StabilityOptions options;
+  options.variables = indicesOf(request.variables, scene.design_variables, "design variable");
+  options.measures = indicesOf(request.measures, scene.measures, "measure");
+  if (!request.show.empty()) indicesOf({request.show}, scene.design_variables, "design variable");
+  options.values = toDesignValues(scene, request.nominal_variables, request.nominal_values);
+  options.low_high = !request.skip_low_high;
+  const StabilityAnalysis analysis = context_.analyse(options);
+  requireConverged(analysis.nominal);
+
+  const std::optional<std::size_t> column = shownColumn(request, scene, analysis);
+
+  const ComponentPoses poses = componentPosesAt(scene, options.values, options.moved);
+  const std::vector<ComponentVariation> components = variationsOf(scene, options);
+  Response response = toResponse(scene, options.values, analysis, components, poses);
+  if (!request.report.empty()) {
+    response.csv_file = output_.fileFor(request.report, ".csv");
+    response.report_file = output_.fileFor(request.report, ".html");
+    cable_variation::writeFile(response.csv_file, stabilityCsv(scene, analysis, options.values));
+    cable_variation::writeFile(
+        response.report_file,
+        cable_variation::reportPage("Stability analysis", {scene.source, utcNow()},
+                                    {stabilitySection(scene, analysis, options.values)}));
+  }
+
+  followed_.clear();
+  if (request.show_components) {
+    const ComponentVariationView view = componentVariationMarkers(
+        scene, components, poses, componentDeviations(scene, options.values, options.moved));
+    publisher_.show(view.markers, view.legend);
+  } else if (column) {
+    const DesignVariable& variable = scene.design_variables[analysis.variables[*column]];
+    const cable_variation::Harness harness = harnessAt(scene, options.values, options.moved);
+    const SensitivityView view =
+        sensitivityView(variable, harness, analysis.nominal, analysis.rates[*column]);
+    publisher_.show(view.markers, view.legend);
+    response.shown = variable.name;
+    if (request.nominal_variables.empty()) followed_ = variable.name;
+  } else {
+    publisher_.clear();
+  }
+  return response;
+}
+
+}  // namespace cable_variation_ros

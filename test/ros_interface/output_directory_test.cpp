@@ -1,0 +1,70 @@
+// Files are written below one folder, whatever name is asked for.
+#include <ros_interface/output_directory.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "test_packages.h"
+
+namespace cable_variation_ros {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A path that does not exist, gone with all below it at the end.
+class FreshPath : public testing::Test {
+ protected:
+  ~FreshPath() override { fs::remove_all(path_); }
+  fs::path path_ = fs::temp_directory_path() / (std::to_string(getpid()) + "_output");
+};
+
+using OutputDirectoryTest = FreshPath;
+
+TEST_F(OutputDirectoryTest, IsMadeWhenAFileIsToBeWritten) {
+  const OutputDirectory output((path_ / "a" / "b").string());
+  EXPECT_FALSE(fs::exists(path_));
+  EXPECT_EQ(output.fileFor("run_3.final-2", ".csv"), (path_ / "a" / "b" / "run_3.final-2.csv").string());
+  EXPECT_TRUE(fs::is_directory(path_ / "a" / "b"));
+}
+
+TEST_F(OutputDirectoryTest, NamesThatLeadElsewhereAreRefused) {
+  const OutputDirectory output(path_.string());
+  for (const std::string& name :
+       {std::string("../x"), std::string("/tmp/x"), std::string("a/b"), std::string(".."), std::string(".x"),
+        std::string(), std::string("a\\b"), std::string("a b"), std::string("a\0b", 3), std::string("ä"),
+        std::string(101, 'a')}) {
+    try {
+      output.fileFor(name, ".csv");
+      ADD_FAILURE() << "'" << name << "' was accepted";
+    } catch (const std::invalid_argument& error) {
+      EXPECT_NE(std::string(error.what()).find("'" + name + "'"), std::string::npos) << error.what();
+    }
+  }
+  EXPECT_FALSE(fs::exists(path_));
+  EXPECT_NO_THROW(OutputDirectory::checkName(std::string(100, 'a')));
+}
+
+TEST_F(OutputDirectoryTest, AFolderThatCannotBeMadeIsNamed) {
+  const cable_variation::TemporaryFile file("in_the_way", {});
+  try {
+    OutputDirectory(file.path() + "/below").fileFor("x", ".csv");
+    ADD_FAILURE() << "no error";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find(file.path() + "/below"), std::string::npos) << error.what();
+  }
+}
+
+TEST(DefaultOutputDirectory, IsBelowRosHomeElseBelowHome) {
+  ASSERT_EQ(setenv("ROS_HOME", "/somewhere", 1), 0);
+  EXPECT_EQ(defaultOutputDirectory(), "/somewhere/cable_variation");
+  ASSERT_EQ(unsetenv("ROS_HOME"), 0);
+  ASSERT_EQ(setenv("HOME", "/home/someone", 1), 0);
+  EXPECT_EQ(defaultOutputDirectory(), "/home/someone/.ros/cable_variation");
+  ASSERT_EQ(unsetenv("HOME"), 0);
+  EXPECT_EQ(defaultOutputDirectory(), "cable_variation");
+}
+
+}  // namespace
+}  // namespace cable_variation_ros
