@@ -3,8 +3,12 @@
 // placements a hundred metres off.
 #include <cable_variation/geometry/distance.h>
 
+#include <cmath>
+#include <iostream>
+
 #include <gtest/gtest.h>
 
+#include <cable_variation/geometry/primitives.h>
 #include <geometry/distance_oracle.h>
 
 namespace cable_variation {
@@ -146,6 +150,71 @@ TEST(DistanceRandom, AgreesWithBruteForce) {
   RecordProperty("pierced", pierced);
   std::cout << "largest error " << largest << " m, pierced " << pierced << "\n";
   EXPECT_EQ(wrong, 0);
+}
+
+// Solid angle of the surface seen from x, in turns about: ±1 inside, 0 outside (Van Oosterom and Strackee
+// 1983).
+double windingNumber(const TriangleMesh& mesh, const Eigen::Vector3d& x) {
+  double half_angles = 0.0;
+  for (const auto& [i, j, k] : mesh.triangles) {
+    const Eigen::Vector3d a = mesh.vertices[i] - x, b = mesh.vertices[j] - x, c = mesh.vertices[k] - x;
+    const double la = a.norm(), lb = b.norm(), lc = c.norm();
+    half_angles +=
+        std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+  }
+  return half_angles / (2.0 * M_PI);
+}
+
+// Solids of all sizes about a cable that passes, pierces or lies inside: the signed distance at samples is no
+// lower than what was found, and at the best of them higher by no more than a sample's step.
+TEST(DistanceRandom, InsideAgreesWithSamples) {
+  Chance chance(5);
+  int inside = 0;
+  for (int i = 0; i < 200; ++i) {
+    const auto size = [&] { return chance.size(0.02, 0.5); };
+    TriangleMesh mesh =
+        chance.oneOf(3) ? cylinderMesh(0.5 * size(), size()) : boxMesh({size(), size(), size()});
+    const Pose pose{chance.inBox(0.1), chance.orientation()};
+    for (Eigen::Vector3d& vertex : mesh.vertices) vertex = pose * vertex;
+    const Centreline cable = test::randomCable(chance, 1 + chance.below(4), chance.size(0.01, 0.1),
+                                               chance.between(0.0, 0.9), 0.004, chance.oneOf(3));
+    const auto pair = distance(cable, DistancePart(mesh), Pose());
+    ASSERT_TRUE(pair);
+
+    double lowest = 1e3, step = 0.0;  // [m]
+    bool any_inside = false;
+    constexpr int kSamples = 50;
+    for (const Centreline::Piece& piece : cable.pieces) {
+      double way = std::abs(piece.end_radius - piece.start_radius);
+      for (std::size_t k = 1; k < 6; ++k) {
+        way += static_cast<double>(k) * piece.curve.coefficients()[k].norm();
+      }
+      step = std::max(step, way / kSamples);
+      for (int k = 0; k <= kSamples; ++k) {
+        const test::Real t = static_cast<test::Real>(k) / kSamples;
+        const test::RealVector x = test::curvePosition(piece.curve, t);
+        test::Real apart = 1e3L;
+        for (const auto& [a, b, c] : mesh.triangles) {
+          apart = std::min(apart, test::triangleDistance({mesh.vertices[a].cast<test::Real>(),
+                                                          mesh.vertices[b].cast<test::Real>(),
+                                                          mesh.vertices[c].cast<test::Real>()},
+                                                         x));
+        }
+        if (std::abs(windingNumber(mesh, x.cast<double>())) > 0.5) {
+          any_inside = true;
+          apart = -apart;
+        }
+        lowest = std::min(lowest, static_cast<double>(apart - test::radiusAt(piece, t)));
+      }
+    }
+    inside += any_inside;
+    EXPECT_LE(pair->distance, lowest + kPromised) << i;
+    EXPECT_GE(pair->distance, lowest - step) << i;
+    if (any_inside) {
+      EXPECT_EQ(pair->contact, ClosestPair::Contact::pierced) << i;
+    }
+  }
+  EXPECT_GT(inside, 30);
 }
 
 }  // namespace
