@@ -9,6 +9,17 @@ MeasureContext::MeasureContext(const Scene& of, const SolvedScene& solved) : sce
   }
 }
 
+const std::vector<SectionLoads>& MeasureContext::loads(std::size_t cable) const {
+  loads_.resize(cables.size());
+  std::vector<SectionLoads>& loads = loads_[cable];
+  if (loads.empty()) {
+    const CableView& view = cables[cable];
+    loads.reserve(view.pieces().size());
+    for (std::size_t i = 0; i < view.pieces().size(); ++i) loads.emplace_back(view, i, at.harness.gravity);
+  }
+  return loads;
+}
+
 CableRates MeasureRates::cable(std::size_t index) const {
   static const CableRate unchanged;
   for (const CableRate& rate : design.harness.cables) {

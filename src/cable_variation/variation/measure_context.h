@@ -4,6 +4,7 @@
 
 #include <cable_variation/variation/cable_view.h>
 #include <cable_variation/variation/measure_evaluation.h>
+#include <cable_variation/variation/section_loads.h>
 
 namespace cable_variation {
 
@@ -15,6 +16,12 @@ struct MeasureContext {
 
   /// Both must outlive the context.
   MeasureContext(const Scene& of, const SolvedScene& solved);
+
+  /// Section forces and moments of a cable, per piece.
+  const std::vector<SectionLoads>& loads(std::size_t cable) const;
+
+ private:
+  mutable std::vector<std::vector<SectionLoads>> loads_;  // per cable, made when first asked for
 };
 
 /// How a solved scene changes with one variable.

@@ -116,15 +116,6 @@ Vector3d strainRateOf(const Vector3d& load, const Vector3d& stiffness, const Vec
   return (load_rate - load.cwiseQuotient(stiffness).cwiseProduct(stiffness_rate)).cwiseQuotient(stiffness);
 }
 
-std::vector<SectionLoads> loadsAlong(const MeasureContext& context, std::size_t cable) {
-  const CableView& view = context.cables[cable];
-  std::vector<SectionLoads> loads;
-  loads.reserve(view.pieces().size());
-  for (std::size_t i = 0; i < view.pieces().size(); ++i)
-    loads.emplace_back(view, i, context.at.harness.gravity);
-  return loads;
-}
-
 double componentOf(const Measure& measure, const Vector3d& load) {
   return measure.axis ? load[static_cast<int>(*measure.axis)] : load.norm();
 }
@@ -150,7 +141,7 @@ MeasureValue strengthValue(const MeasureContext& context, const Measure& measure
     std::vector<std::pair<SectionSize, SectionSize>> sizes;  // at the pieces' ends, linear between
     for (std::size_t i = 0; i < view.pieces().size(); ++i)
       sizes.emplace_back(sizeAt(view, {i, 0.0}), sizeAt(view, {i, 1.0}));
-    return [&measure, sizes, loads = loadsAlong(context, cable)](std::size_t piece, double t) {
+    return [&measure, sizes, &loads = context.loads(cable)](std::size_t piece, double t) {
       const Vector6d k = loads[piece].stiffness(t);
       const auto& [start, end] = sizes[piece];
       const SectionSize size = combine(start, t, combine(end, -1.0, start));
@@ -166,7 +157,7 @@ double strengthRate(const MeasureContext& context, const Measure& measure, const
   const CableView& view = context.cables[value.cable];
   const CableRates cable = rates.cable(value.cable);
   const Place& place = value.trace.place;
-  const SectionLoads loads(view, place.piece, context.at.harness.gravity);
+  const SectionLoads& loads = context.loads(value.cable)[place.piece];
   const SectionLoads change = SectionLoads::rate(view, place.piece, context.at.harness.gravity, cable);
   const double t = place.t;
   const Vector6d k = loads.stiffness(t), dk = change.stiffness(t);
@@ -189,18 +180,18 @@ MeasureValue sectionLoadValue(const MeasureContext& context, const Measure& meas
   if (measure.arc_length) {
     const std::size_t cable = measure.cables.front();
     const NamedPlace named(context, cable, *measure.arc_length);
-    const SectionLoads loads(context.cables[cable], named.place.piece, context.at.harness.gravity);
+    const SectionLoads& loads = context.loads(cable)[named.place.piece];
     return measureAt(context, cable, named.place,
                      componentOf(measure, loadOf(measure, loads, named.place.t)));
   }
   MeasureValue largest = largestOver(context, measure, [&](std::size_t cable) {
-    return [&measure, loads = loadsAlong(context, cable)](std::size_t piece, double t) {
+    return [&measure, &loads = context.loads(cable)](std::size_t piece, double t) {
       return std::abs(componentOf(measure, loadOf(measure, loads[piece], t)));
     };
   });
   if (measure.axis) {
     const Place& place = largest.trace.place;
-    const SectionLoads loads(context.cables[largest.cable], place.piece, context.at.harness.gravity);
+    const SectionLoads& loads = context.loads(largest.cable)[place.piece];
     largest.value = componentOf(measure, loadOf(measure, loads, place.t));
   }
   return largest;
@@ -211,7 +202,7 @@ double sectionLoadRate(const MeasureContext& context, const Measure& measure, co
   const CableView& view = context.cables[value.cable];
   const CableRates cable = rates.cable(value.cable);
   const Place& place = value.trace.place;
-  const SectionLoads loads(view, place.piece, context.at.harness.gravity);
+  const SectionLoads& loads = context.loads(value.cable)[place.piece];
   const SectionLoads change = SectionLoads::rate(view, place.piece, context.at.harness.gravity, cable);
   Vector3d rate = loadOf(measure, change, place.t);
   if (measure.arc_length) {
@@ -232,7 +223,7 @@ MeasureValue twistValue(const MeasureContext& context, const Measure& measure) {
   for (std::size_t i = from.place.piece; i <= to.place.piece; ++i) {
     const double start = i == from.place.piece ? from.place.t : 0.0;
     const double end = i == to.place.piece ? to.place.t : 1.0;
-    const SectionLoads loads(view, i, context.at.harness.gravity);
+    const SectionLoads& loads = context.loads(cable)[i];
     for (const GaussPoint& gauss : kGauss) {
       const double t = start + gauss.at * (end - start);
       twist += gauss.weight * (end - start) * view.pieces()[i].length * loads.moment(t).x() /
@@ -247,14 +238,16 @@ double twistRate(const MeasureContext& context, const Measure& measure, const Me
   const CableView& view = context.cables[index];
   const CableRates cable = rates.cable(index);
   const NamedPlace from(context, index, measure.from), to(context, index, measure.to);
+  const std::vector<SectionLoads> changes =
+      SectionLoads::ratesAlong(view, from.place.piece, to.place.piece, context.at.harness.gravity, cable);
   double rate = 0.0;
   for (std::size_t i = from.place.piece; i <= to.place.piece; ++i) {
     const double start = i == from.place.piece ? from.place.t : 0.0;
     const double end = i == to.place.piece ? to.place.t : 1.0;
     const double length = view.pieces()[i].length;
     const double length_rate = view.end(i, cable).arc_length - view.start(i, cable).arc_length;
-    const SectionLoads loads(view, i, context.at.harness.gravity);
-    const SectionLoads change = SectionLoads::rate(view, i, context.at.harness.gravity, cable);
+    const SectionLoads& loads = context.loads(index)[i];
+    const SectionLoads& change = changes[i - from.place.piece];
     const auto torsion = [&](double t) { return loads.moment(t).x() / loads.stiffness(t)[3]; };
     for (const GaussPoint& gauss : kGauss) {
       const double t = start + gauss.at * (end - start);

@@ -1,5 +1,7 @@
 #include <cable_variation/variation/section_loads.h>
 
+#include <optional>
+
 #include <Eigen/Geometry>
 
 #include <cable_variation/harness/shape_point.h>
@@ -101,29 +103,40 @@ Eigen::Matrix<double, 6, 1> SectionLoads::stiffness(double t) const {
   return (1.0 - t) * stiffness_start_ + t * stiffness_end_;
 }
 
-SectionLoads SectionLoads::rate(const CableView& view, std::size_t index, const Vector3d& gravity,
-                                const CableRates& rates) {
-  const CableView::Piece& piece = view.pieces()[index];
-  const ShapePoint &start = view.start(index), &end = view.end(index);
-  const ShapePointRate &start_rate = view.start(index, rates), &end_rate = view.end(index, rates);
-  const RodProperties rod_start =
-      propertyRate(piece.start, start.arc_length, rates.cable, start_rate.arc_length);
-  const RodProperties rod_end = propertyRate(piece.end, end.arc_length, rates.cable, end_rate.arc_length);
-  const EndLoads a = endLoads(start, start_rate, piece.start, rod_start, gravity);
-  const EndLoads b = endLoads(end, end_rate, piece.end, rod_end, gravity);
-  const double stretch = (end_rate.arc_length - start_rate.arc_length) / piece.length;
-  // derivatives over s become those over t by the piece's length, which changes too
-  const auto curveEnd = [&](const Varied& value, const Varied& slope, const Varied& second) {
-    return CurvePiece::End{value.rate, slope.rate + stretch * slope.value,
-                           second.rate + 2.0 * stretch * second.value};
+std::vector<SectionLoads> SectionLoads::ratesAlong(const CableView& view, std::size_t first, std::size_t last,
+                                                   const Vector3d& gravity, const CableRates& rates) {
+  struct End {
+    EndLoads loads;
+    Eigen::Matrix<double, 6, 1> stiffness_rate;
   };
-  SectionLoads rate(CurvePiece(curveEnd(a.force, a.force_slope, a.force_second),
-                               curveEnd(b.force, b.force_slope, b.force_second), piece.length),
-                    CurvePiece(curveEnd(a.moment, a.moment_slope, a.moment_second),
-                               curveEnd(b.moment, b.moment_slope, b.moment_second), piece.length));
-  rate.stiffness_start_ = rod_start.stiffness;
-  rate.stiffness_end_ = rod_end.stiffness;
-  return rate;
+  const auto endOf = [&](const ShapePoint& point, const ShapePointRate& rate, const RodProperties& rod) {
+    const RodProperties rod_rate = propertyRate(rod, point.arc_length, rates.cable, rate.arc_length);
+    return End{endLoads(point, rate, rod, rod_rate, gravity), rod_rate.stiffness};
+  };
+  std::vector<SectionLoads> changes;
+  changes.reserve(last - first + 1);
+  std::optional<End> before;
+  for (std::size_t i = first; i <= last; ++i) {
+    const CableView::Piece& piece = view.pieces()[i];
+    const bool shared = before && view.pieces()[i - 1].point + 1 == piece.point;
+    const End a = shared ? *before : endOf(view.start(i), view.start(i, rates), piece.start);
+    const End b = endOf(view.end(i), view.end(i, rates), piece.end);
+    const double stretch = (view.end(i, rates).arc_length - view.start(i, rates).arc_length) / piece.length;
+    // derivatives over s become those over t by the piece's length, which changes too
+    const auto curveEnd = [&](const Varied& value, const Varied& slope, const Varied& second) {
+      return CurvePiece::End{value.rate, slope.rate + stretch * slope.value,
+                             second.rate + 2.0 * stretch * second.value};
+    };
+    changes.push_back(SectionLoads(
+        CurvePiece(curveEnd(a.loads.force, a.loads.force_slope, a.loads.force_second),
+                   curveEnd(b.loads.force, b.loads.force_slope, b.loads.force_second), piece.length),
+        CurvePiece(curveEnd(a.loads.moment, a.loads.moment_slope, a.loads.moment_second),
+                   curveEnd(b.loads.moment, b.loads.moment_slope, b.loads.moment_second), piece.length)));
+    changes.back().stiffness_start_ = a.stiffness_rate;
+    changes.back().stiffness_end_ = b.stiffness_rate;
+    before = b;
+  }
+  return changes;
 }
 
 }  // namespace cable_variation

@@ -20,13 +20,19 @@ class SectionLoads {
 
   /// Change of force, moment and stiffness at a fixed t, as an object of the same kind.
   static SectionLoads rate(const CableView& view, std::size_t piece, const Eigen::Vector3d& gravity,
-                           const CableRates& rates);
+                           const CableRates& rates) {
+    return ratesAlong(view, piece, piece, gravity, rates).front();
+  }
+  /// Of the pieces from `first` to `last`.
+  static std::vector<SectionLoads> ratesAlong(const CableView& view, std::size_t first, std::size_t last,
+                                              const Eigen::Vector3d& gravity, const CableRates& rates);
 
  private:
   SectionLoads(const CurvePiece& force, const CurvePiece& moment) : force_(force), moment_(moment) {}
 
   CurvePiece force_, moment_;
-  Eigen::Matrix<double, 6, 1> stiffness_start_, stiffness_end_;
+  Eigen::Matrix<double, 6, 1> stiffness_start_ = Eigen::Matrix<double, 6, 1>::Zero();
+  Eigen::Matrix<double, 6, 1> stiffness_end_ = Eigen::Matrix<double, 6, 1>::Zero();
 };
 
 }  // namespace cable_variation
