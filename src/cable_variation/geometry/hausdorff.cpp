@@ -7,8 +7,6 @@
 #include <sstream>
 #include <stdexcept>
 
-#include <Eigen/Geometry>
-
 #include <cable_variation/geometry/nearest_place.h>
 
 namespace cable_variation {
@@ -62,6 +60,7 @@ class DirectedSearch {
     double value = -kInfinity;        ///< at `place`, a lower bound of the largest
     double upper_bound = -kInfinity;  ///< of the largest, or below the value to beat
     Place place, foot;
+    bool unique = true;
   };
 
   /// @param to_beat nothing smaller is looked for
@@ -242,7 +241,7 @@ class DirectedSearch {
     Slope here = slope(0.0);
     best_.value = here.found.lower_bound + from_.radius(origin);
     best_.foot = here.found.place;
-    if (here.found.distance < kExact) return;
+    if (here.found.distance + to_.radius(here.found.place) < kExact) return;
     if (here.value > 0.0) {
       low = 0.0;
       at_low = here;
@@ -259,11 +258,13 @@ class DirectedSearch {
         u = std::clamp(u, low + 1e-3 * (high - low), high - 1e-3 * (high - low));
       }
       here = slope(u);
-      if (std::abs(here.value) < 1e-16) break;
       (here.value > 0.0 ? low : high) = u;
       (here.value > 0.0 ? at_low : at_high) = here;
     }
     const double value = here.found.lower_bound + from_.radius(here.place);
+    constexpr double kFarApart = 1e-6;  // [m] feet of places that are next to each other
+    const auto footOf = [&](const Slope& at) { return to_.curve().position(at.found.place); };
+    best_.unique = (footOf(at_low) - footOf(at_high)).norm() < kFarApart;
     if (value >= best_.value - 1e-15) {
       best_.value = value;
       best_.place = here.place;
@@ -296,6 +297,7 @@ Hausdorff twoSided(const Centreline& a, const Centreline& b, double accuracy, bo
   result.distance = larger.value;
   result.place = larger.place;
   result.nearest = larger.foot;
+  result.unique = larger.unique;
   result.error_bound = std::max(first.upper_bound, second.upper_bound) - result.distance;
   return result;
 }
@@ -307,23 +309,7 @@ Hausdorff curveHausdorff(const Centreline& a, const Centreline& b, double accura
 }
 
 Hausdorff surfaceHausdorff(const Centreline& a, const Centreline& b, double accuracy) {
-  Hausdorff result = twoSided(a, b, accuracy, true);
-  // The surface's furthest point lies beyond the centreline's place, seen from the foot there. How far it is
-  // from the other surface differs only where that is bent tighter than its distance to this point.
-  const Centreline& from = result.on_first ? a : b;
-  const Centreline& to = result.on_first ? b : a;
-  const Vector3d centre = from.position(result.place);
-  Vector3d outward = centre - to.position(result.nearest);
-  if (outward.norm() < 1e-12)
-    outward = from.pieces[result.place.piece].curve.first(result.place.t).unitOrthogonal();
-  const NearestPlace from_places(from, true), to_places(to, true);
-  const Vector3d point = centre + from_places.radius(result.place) * outward.normalized();
-  const double reached = std::abs(to_places.find(point, result.nearest, kExact).lower_bound);
-  if (reached < result.distance) {
-    result.error_bound += result.distance - reached;
-    result.distance = reached;
-  }
-  return result;
+  return twoSided(a, b, accuracy, true);
 }
 
 }  // namespace cable_variation

@@ -2,6 +2,9 @@
 
 #include <limits>
 #include <stdexcept>
+#include <vector>
+
+#include <cable_variation/math/extremum.h>
 
 namespace cable_variation {
 
@@ -10,22 +13,21 @@ BendRadius smallestBendRadius(const CableShape& shape) {
     throw std::invalid_argument("bend radius of cable '" + shape.cable +
                                 "': " + std::to_string(shape.points.size()) + " points, expected at least 2");
   }
-  constexpr int kPlaces = 16;
-  double curvature = 0.0;
+  std::vector<CurvePiece> curves;
+  std::vector<std::size_t> starts;
+  for (std::size_t i = 0; i + 1 < shape.points.size(); ++i) {
+    if (shape.points[i + 1].arc_length <= shape.points[i].arc_length) continue;  // the two points at a clip
+    curves.push_back(curveBetween(shape.points[i], shape.points[i + 1]));
+    starts.push_back(i);
+  }
   BendRadius smallest{std::numeric_limits<double>::infinity(), shape.points.front().arc_length};
-  for (std::size_t i = 1; i < shape.points.size(); ++i) {
-    const ShapePoint& a = shape.points[i - 1];
-    const ShapePoint& b = shape.points[i];
-    if (b.arc_length <= a.arc_length) continue;  // the two points at a clip
-    const CurvePiece curve = curveBetween(a, b);
-    for (int k = 0; k <= kPlaces; ++k) {
-      const double t = static_cast<double>(k) / kPlaces;
-      const double here = curve.curvature(t);
-      if (here > curvature) {
-        curvature = here;
-        smallest = {1.0 / here, a.arc_length + t * (b.arc_length - a.arc_length)};
-      }
-    }
+  if (curves.empty()) return smallest;
+  const Extremum sharpest =
+      largestAlong(curves.size(), [&](std::size_t piece, double t) { return curves[piece].curvature(t); });
+  if (sharpest.value > 0.0) {
+    const double start = shape.points[starts[sharpest.piece]].arc_length;
+    const double end = shape.points[starts[sharpest.piece] + 1].arc_length;
+    smallest = {1.0 / sharpest.value, start + sharpest.t * (end - start)};
   }
   return smallest;
 }

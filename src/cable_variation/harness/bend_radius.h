@@ -10,8 +10,8 @@ struct BendRadius {
   double arc_length = 0.0;  ///< where that is [m]
 };
 
-/// The smallest radius of curvature of the centreline, between the shape's points
-/// too (at 16 places each). Throws std::invalid_argument for fewer than two points.
+/// The smallest radius of curvature of the centreline, between the shape's points too. Throws
+/// std::invalid_argument for fewer than two points.
 BendRadius smallestBendRadius(const CableShape& shape);
 
 }  // namespace cable_variation

@@ -30,8 +30,10 @@ Extremum largestAlong(std::size_t pieces, const Quantity& quantity, double accur
   const double bottom = *std::min_element(samples.begin(), samples.end());
   for (std::size_t i = 0; i < samples.size(); ++i) {
     if (samples[i] < top - 0.05 * (top - bottom)) continue;
-    if (i > 0 && samples[i] < samples[i - 1]) continue;
-    if (i + 1 < samples.size() && samples[i] <= samples[i + 1]) continue;
+    // each piece on its own: next to where two meet, the maximum may be on either side
+    const std::size_t step = i % kPerPiece;
+    if (step > 0 && samples[i] < samples[i - 1]) continue;
+    if (step < kSteps && samples[i] <= samples[i + 1]) continue;
     peaks.push_back(i);
   }
   std::sort(peaks.begin(), peaks.end(),
@@ -63,7 +65,8 @@ Extremum largestAlong(std::size_t pieces, const Quantity& quantity, double accur
         at_b = quantity(piece, b);
       }
     }
-    if (std::max(at_a, at_b) > found.value) {
+    // a sample is kept unless the refined value is larger by more than rounding
+    if (std::max(at_a, at_b) > found.value + 1e-14 * std::abs(found.value)) {
       found.value = std::max(at_a, at_b);
       found.t = at_a > at_b ? a : b;
     }

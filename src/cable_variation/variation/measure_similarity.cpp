@@ -1,5 +1,6 @@
 #include <cable_variation/variation/measure_similarity.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include <cable_variation/geometry/hausdorff.h>
@@ -10,12 +11,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kNominal = 1e-9;  // [m] shapes closer than that are the nominal one: rounding of a re-solve
+constexpr double kAccuracy = 1e-9;  // [m] small shifts, of which derivatives are the limits, count too
+constexpr double kNominal = 1e-9;   // [m] shapes closer than that are the nominal one: rounding of a re-solve
 
 // How fast a place of the curve, or of the surface around it, leaves the nominal one.
 double leavingRate(const CableView& view, const Place& place, const Vector3d& shift, double radius_rate,
                    bool surface) {
-  if (view.isEnd(place)) return shift.norm() + (surface ? std::abs(radius_rate) : 0.0);
   const Centreline::Piece& piece = view.line().pieces[place.piece];
   const Vector3d first = piece.curve.first(place.t);
   const double speed = first.norm();
@@ -27,21 +28,53 @@ double leavingRate(const CableView& view, const Place& place, const Vector3d& sh
   return std::sqrt(std::max(0.0, 1.0 - lean * lean)) * across + std::abs(radius_rate - lean * along);
 }
 
+// The same at an end, or where the tangent has a kink, at a clip whose force jumps. `arms`: unit directions
+// in which the curve goes on. The nominal curve is left by the shifted point, or it by the shifted curve.
+double leavingRateAtCorner(const std::vector<Vector3d>& arms, const Vector3d& shift, double radius_rate) {
+  const auto distanceTo = [&](const Vector3d& point) {
+    double smallest = point.norm();
+    for (const Vector3d& arm : arms) {
+      const double along = point.dot(arm);
+      if (along > 0.0) smallest = std::min(smallest, (point - along * arm).norm());
+    }
+    return smallest;
+  };
+  return std::max(distanceTo(shift) + radius_rate, distanceTo(-shift) - radius_rate);
+}
+
 double limitAtNominal(const MeasureContext& context, const Measure& measure, const MeasureRates& rates) {
   double largest = 0.0;
   for (const std::size_t index : measure.cables) {
     const CableView& view = context.cables[index];
     const CableRates cable = rates.cable(index);
+    const std::size_t pieces = view.pieces().size();
     std::vector<CurvePiece> shifts;
-    shifts.reserve(view.pieces().size());
-    for (std::size_t i = 0; i < view.pieces().size(); ++i) shifts.push_back(view.curveRate(i, cable));
+    shifts.reserve(pieces);
+    for (std::size_t i = 0; i < pieces; ++i) shifts.push_back(view.curveRate(i, cable));
+    const auto radiusRate = [&](const Place& place) {
+      return measure.surface ? view.rate(place, cable).radius : 0.0;
+    };
     const auto leaving = [&](std::size_t piece, double t) {
       const Place place{piece, t};
-      const double radius = measure.surface ? view.rate(place, cable).radius : 0.0;
-      return leavingRate(view, place, shifts[piece].position(t), radius, measure.surface);
+      return leavingRate(view, place, shifts[piece].position(t), radiusRate(place), measure.surface);
     };
-    constexpr double kAccuracy = 1e-4;  // of t: the maximum itself is then right to about 1e-8
-    largest = std::max(largest, largestAlong<4>(view.pieces().size(), leaving, kAccuracy).value);
+    constexpr double kShare = 1e-4;  // of t: the maximum itself is then right to about 1e-8
+    largest = std::max(largest, largestAlong<4>(pieces, leaving, kShare).value);
+
+    for (std::size_t i = 0; i <= pieces; ++i) {
+      // two points at one arc length, or an end
+      if (i > 0 && i < pieces && view.pieces()[i - 1].point + 1 == view.pieces()[i].point) continue;
+      // where the radius steps, the thicker part's surface ends as at an end
+      const double before = i > 0 ? view.line().pieces[i - 1].end_radius : 0.0;
+      const double after = i < pieces ? view.line().pieces[i].start_radius : 0.0;
+      const bool step = measure.surface && i > 0 && i < pieces && before != after;
+      std::vector<Vector3d> arms;
+      if (i > 0 && !(step && before < after)) arms.push_back(-view.end(i - 1).tangent.normalized());
+      if (i < pieces && !(step && after < before)) arms.push_back(view.start(i).tangent.normalized());
+      const Place place = i == pieces || (step && after < before) ? Place{i - 1, 1.0} : Place{i, 0.0};
+      const Vector3d shift = shifts[place.piece].position(place.t);
+      largest = std::max(largest, leavingRateAtCorner(arms, shift, radiusRate(place)));
+    }
   }
   return largest;
 }
@@ -54,8 +87,8 @@ MeasureValue similarityValue(const MeasureContext& context, const Measure& measu
   largest.value = -1.0;
   for (const std::size_t cable : measure.cables) {
     const Centreline& line = context.cables[cable].line();
-    const Hausdorff found =
-        measure.surface ? surfaceHausdorff(line, nominal.at(cable)) : curveHausdorff(line, nominal.at(cable));
+    const Hausdorff found = measure.surface ? surfaceHausdorff(line, nominal.at(cable), kAccuracy)
+                                            : curveHausdorff(line, nominal.at(cable), kAccuracy);
     if (found.distance <= largest.value) continue;
     const Place& place = found.on_first ? found.place : found.nearest;
     const Place& other = found.on_first ? found.nearest : found.place;
@@ -69,6 +102,7 @@ MeasureValue similarityValue(const MeasureContext& context, const Measure& measu
     largest.point += line.radius(place) * outward;
     largest.has_other = true;
     largest.other = nominal[cable].position(other) + nominal[cable].radius(other) * outward;
+    if (!found.unique) markAsShared(largest, "as far from two places of the other shape");
   }
   return largest;
 }
