@@ -15,9 +15,11 @@ namespace {
 
 const Eigen::Vector4d kRed(0.93, 0.10, 0.12, 1.0);
 const Eigen::Vector4d kNeutral(0.90, 0.94, 0.98, 1.0);
-constexpr double kBall = 0.0016;        // radius [m]
-constexpr double kLine = 0.0006;        // radius [m]
-constexpr double kTextHeight = 0.0075;  // [m]; a little less than the clips' names
+constexpr double kBall = 0.0016;       // radius [m]
+constexpr double kLine = 0.0006;       // radius [m]
+constexpr double kLeader = 0.0003;     // radius [m]
+constexpr double kTextHeight = 0.009;  // [m]; as the clips' names
+constexpr double kTextAbove = 0.035;   // the cable, out of what is around it [m]
 
 bool interferes(const Measure& measure, double distance) {
   return distance < 0.0 || (measure.lower && distance < *measure.lower);
@@ -47,8 +49,9 @@ visualization_msgs::MarkerArray interferenceMarkers(const cable_variation::Scene
     group.addSphere(value.point, kBall);
     group.addSphere(value.other, kBall);
     group.addCylinder(value.point, value.other, kLine);
-    const Eigen::Vector3d above(0.0, 0.0, kBall + kTextHeight);
-    group.addText(0.5 * (value.point + value.other) + above, textOf(measure, value), kTextHeight);
+    const Eigen::Vector3d above = value.point + kTextAbove * Eigen::Vector3d::UnitZ();
+    group.addCylinder(value.point, above, kLeader);
+    group.addText(above + 0.7 * kTextHeight * Eigen::Vector3d::UnitZ(), textOf(measure, value), kTextHeight);
     array.markers.insert(array.markers.end(), group.markers().begin(), group.markers().end());
   }
   return array;

@@ -24,9 +24,9 @@ constexpr double kThickness = 1.06;         // times the cable's, which it cover
 constexpr double kSegment = 0.004;          // of one colour [m]
 constexpr double kArrowStep = 0.012;        // along the cable [m]
 constexpr double kMostArrows = 200.0;       // per cable
-constexpr double kLongestArrow = 0.12;      // of the harness's largest extent
+constexpr double kLongestArrow = 0.16;      // of the harness's largest extent
 constexpr double kShortestArrow = 0.02;     // of the longest one; shorter ones are dots
-constexpr double kArrowThickness = 0.0011;  // radius [m]
+constexpr double kArrowThickness = 0.0012;  // radius [m]
 const Eigen::Vector4d kArrowColor(0.96, 0.97, 0.98, 1.0);
 
 /// ∂φ/∂x at an arc length, linear between the points of the shape.

@@ -1,6 +1,7 @@
 // Closest pairs seen: red only where parts are too close.
 #include <ros_interface/interference_markers.h>
 
+#include <map>
 #include <set>
 
 #include <gtest/gtest.h>
@@ -63,16 +64,17 @@ TEST_F(Interference, TextTellsDistanceAndPlace) {
 
 TEST_F(Interference, BallsAndLineAreAtThePair) {
   std::multiset<double> balls;
+  std::map<double, double> lines;  // middle and length along z
   for (const Marker& marker : markersAt(0.008)) {
     EXPECT_EQ(marker.ns, "interference/D_CAR");
     EXPECT_EQ(marker.header.frame_id, "world");
     if (marker.type == Marker::SPHERE) balls.insert(marker.pose.position.z);
-    if (marker.type == Marker::CYLINDER) {
-      EXPECT_NEAR(marker.pose.position.z, 0.304, 1e-12);
-      EXPECT_NEAR(marker.scale.z, 0.008, 1e-12);
-    }
+    if (marker.type == Marker::CYLINDER) lines.emplace(marker.pose.position.z, marker.scale.z);
   }
   EXPECT_EQ(balls, (std::multiset<double>{0.3, 0.308}));
+  ASSERT_EQ(lines.size(), 2u);  // the pair's, and the text's leader further up
+  EXPECT_NEAR(lines.begin()->first, 0.304, 1e-12);
+  EXPECT_NEAR(lines.begin()->second, 0.008, 1e-12);
 }
 
 TEST_F(Interference, OtherMeasuresAndPairsThatAreNoneShowNothing) {

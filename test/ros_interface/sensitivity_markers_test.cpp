@@ -78,7 +78,7 @@ TEST_F(Sensitivity, ColoursGoByTheShiftAndCoverTheCable) {
 TEST_F(Sensitivity, ArrowsPointAlongTheShiftAllEnlargedAlike) {
   const std::vector<Marker> arrows = markersOf("bar", Marker::ARROW);
   ASSERT_GT(arrows.size(), 20u);
-  // Shift at the upper limit: 2 s * 0.05, at most 50 mm. Enlarged once: twice would pass 12 % of 0.5 m.
+  // Shift at the upper limit: 2 s * 0.05, at most 50 mm. Enlarged once: twice would pass 16 % of 0.5 m.
   for (const Marker& arrow : arrows) {
     EXPECT_EQ(arrow.points[0].x, arrow.points[1].x);
     EXPECT_NEAR(arrow.points[1].z - arrow.points[0].z, 0.1 * arrow.points[0].x, 1e-12);
@@ -102,8 +102,8 @@ TEST_F(Sensitivity, SmallShiftsAreEnlargedMore) {
   variable_.unit = "m";
   variable_.upper = 0.0;
   variable_.lower = -1.3e-3;
-  // 13 µm at most; 5000 times that would be 65 mm, more than 60.
-  EXPECT_EQ(view().legend.note, "arrows: shift at -1.3 mm, 2000 times");
+  // 13 µm at most; 10000 times that would be 130 mm, more than 80.
+  EXPECT_EQ(view().legend.note, "arrows: shift at -1.3 mm, 5000 times");
   EXPECT_EQ(view().legend.unit, "mm/mm");
   EXPECT_LT(markersOf("bar", Marker::ARROW).back().points[1].z, 0.0);
 }
