@@ -14,18 +14,10 @@ using Eigen::Vector3d;
 constexpr double kAccuracy = 1e-9;  // [m] small shifts, of which derivatives are the limits, count too
 constexpr double kNominal = 1e-9;   // [m] shapes closer than that are the nominal one: rounding of a re-solve
 
-// How fast a place of the curve, or of the surface around it, leaves the nominal one.
-double leavingRate(const CableView& view, const Place& place, const Vector3d& shift, double radius_rate,
-                   bool surface) {
-  const Centreline::Piece& piece = view.line().pieces[place.piece];
-  const Vector3d first = piece.curve.first(place.t);
-  const double speed = first.norm();
-  const double along = shift.dot(first) / speed;
-  const double across = (shift - along / speed * first).norm();
-  if (!surface) return across;
-  // normals of a surface whose radius changes along the curve lean by that slope
-  const double lean = (piece.end_radius - piece.start_radius) / speed;
-  return std::sqrt(std::max(0.0, 1.0 - lean * lean)) * across + std::abs(radius_rate - lean * along);
+// How fast a place leaves the nominal curve, seen across it.
+double leavingRate(const CableView& view, const Place& place, const Vector3d& shift) {
+  const Vector3d along = view.line().pieces[place.piece].curve.first(place.t);
+  return (shift - shift.dot(along) / along.squaredNorm() * along).norm();
 }
 
 // The same at an end, or where the tangent has a kink, at a clip whose force jumps. `arms`: unit directions
@@ -42,39 +34,82 @@ double leavingRateAtCorner(const std::vector<Vector3d>& arms, const Vector3d& sh
   return std::max(distanceTo(shift) + radius_rate, distanceTo(-shift) - radius_rate);
 }
 
+double limitOfCurve(const CableView& view, const CableRates& rates, bool surface) {
+  const std::size_t pieces = view.pieces().size();
+  std::vector<CurvePiece> shifts;
+  shifts.reserve(pieces);
+  for (std::size_t i = 0; i < pieces; ++i) shifts.push_back(view.curveRate(i, rates));
+  const double radius = surface ? view.rate({0, 0.0}, rates).radius : 0.0;  // the same all along
+  const auto leaving = [&](std::size_t piece, double t) {
+    return leavingRate(view, {piece, t}, shifts[piece].position(t)) + std::abs(radius);
+  };
+  constexpr double kShare = 1e-4;  // of t: the maximum itself is then right to about 1e-8
+  double largest = largestAlong<4>(pieces, leaving, kShare).value;
+  for (std::size_t i = 0; i <= pieces; ++i) {
+    // two points at one arc length, or an end
+    if (i > 0 && i < pieces && view.pieces()[i - 1].point + 1 == view.pieces()[i].point) continue;
+    std::vector<Vector3d> arms;
+    if (i > 0) arms.push_back(-view.end(i - 1).tangent.normalized());
+    if (i < pieces) arms.push_back(view.start(i).tangent.normalized());
+    const Vector3d shift = i < pieces ? shifts[i].position(0.0) : shifts[i - 1].position(1.0);
+    largest = std::max(largest, leavingRateAtCorner(arms, shift, radius));
+  }
+  return largest;
+}
+
+bool hasOneRadius(const Centreline& line) {
+  const double radius = line.pieces.front().start_radius;
+  return std::all_of(line.pieces.begin(), line.pieces.end(), [&](const Centreline::Piece& piece) {
+    return piece.start_radius == radius && piece.end_radius == radius;
+  });
+}
+
+// The centreline after a small step of the variable, to first order.
+Centreline shifted(const CableView& view, const CableRates& rates, double step) {
+  Centreline line;
+  const auto curveEnd = [&](const ShapePoint& point, const ShapePointRate& rate) {
+    return CurvePiece::End{point.pose.position + step * rate.position, point.tangent + step * rate.tangent,
+                           point.bend + step * rate.bend};
+  };
+  for (std::size_t i = 0; i < view.pieces().size(); ++i) {
+    const PlaceRate start = view.rate({i, 0.0}, rates), end = view.rate({i, 1.0}, rates);
+    const Centreline::Piece& piece = view.line().pieces[i];
+    const double from = piece.start + step * start.arc_length, to = piece.end + step * end.arc_length;
+    line.pieces.push_back({CurvePiece(curveEnd(view.start(i), view.start(i, rates)),
+                                      curveEnd(view.end(i), view.end(i, rates)), to - from),
+                           from, to, piece.start_radius + step * start.radius,
+                           piece.end_radius + step * end.radius});
+  }
+  return line;
+}
+
+// Of surfaces whose radius changes along the cable, the limit as the quotient for two small steps,
+// extrapolated to none.
+double limitOfSurface(const CableView& view, const CableRates& rates) {
+  double fastest = 0.0;
+  for (std::size_t i = 0; i < view.pieces().size(); ++i) {
+    for (const double t : {0.0, 1.0}) {
+      const PlaceRate rate = view.rate({i, t}, rates);
+      fastest = std::max({fastest, rate.position.norm(), std::abs(rate.radius)});
+    }
+  }
+  if (!(fastest > 0.0)) return 0.0;
+  constexpr double kShift = 2e-5;  // [m] far above the accuracy of the distance, far below any bend
+  const auto quotient = [&](double step) {
+    return surfaceHausdorff(view.line(), shifted(view, rates, step), kAccuracy).distance / step;
+  };
+  const double step = kShift / fastest;
+  return 2.0 * quotient(0.5 * step) - quotient(step);
+}
+
 double limitAtNominal(const MeasureContext& context, const Measure& measure, const MeasureRates& rates) {
   double largest = 0.0;
   for (const std::size_t index : measure.cables) {
     const CableView& view = context.cables[index];
     const CableRates cable = rates.cable(index);
-    const std::size_t pieces = view.pieces().size();
-    std::vector<CurvePiece> shifts;
-    shifts.reserve(pieces);
-    for (std::size_t i = 0; i < pieces; ++i) shifts.push_back(view.curveRate(i, cable));
-    const auto radiusRate = [&](const Place& place) {
-      return measure.surface ? view.rate(place, cable).radius : 0.0;
-    };
-    const auto leaving = [&](std::size_t piece, double t) {
-      const Place place{piece, t};
-      return leavingRate(view, place, shifts[piece].position(t), radiusRate(place), measure.surface);
-    };
-    constexpr double kShare = 1e-4;  // of t: the maximum itself is then right to about 1e-8
-    largest = std::max(largest, largestAlong<4>(pieces, leaving, kShare).value);
-
-    for (std::size_t i = 0; i <= pieces; ++i) {
-      // two points at one arc length, or an end
-      if (i > 0 && i < pieces && view.pieces()[i - 1].point + 1 == view.pieces()[i].point) continue;
-      // where the radius steps, the thicker part's surface ends as at an end
-      const double before = i > 0 ? view.line().pieces[i - 1].end_radius : 0.0;
-      const double after = i < pieces ? view.line().pieces[i].start_radius : 0.0;
-      const bool step = measure.surface && i > 0 && i < pieces && before != after;
-      std::vector<Vector3d> arms;
-      if (i > 0 && !(step && before < after)) arms.push_back(-view.end(i - 1).tangent.normalized());
-      if (i < pieces && !(step && after < before)) arms.push_back(view.start(i).tangent.normalized());
-      const Place place = i == pieces || (step && after < before) ? Place{i - 1, 1.0} : Place{i, 0.0};
-      const Vector3d shift = shifts[place.piece].position(place.t);
-      largest = std::max(largest, leavingRateAtCorner(arms, shift, radiusRate(place)));
-    }
+    largest = std::max(largest, measure.surface && !hasOneRadius(view.line())
+                                    ? limitOfSurface(view, cable)
+                                    : limitOfCurve(view, cable, measure.surface));
   }
   return largest;
 }
