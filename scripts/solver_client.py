@@ -1,6 +1,7 @@
 """What the command line clients of cable_solver share."""
 import argparse
 import math
+import os
 import sys
 
 import rosgraph
@@ -41,6 +42,15 @@ def call(node, service, kind, **request):
     if answer.status.code != Status.SUCCESS:
         sys.exit('%s: status %d: %s' % (name, answer.status.code, answer.status.message))
     return answer
+
+
+def run(main):
+    """Runs main(); a reader that has read enough, as head(1) does, is no error."""
+    try:
+        main()
+        sys.stdout.flush()
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
 
 WIDTH = 100  # of what is printed, in characters
