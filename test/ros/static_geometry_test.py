@@ -4,6 +4,7 @@ import sys
 
 import rospy
 import rostest
+from cable_variation.msg import ComponentDeviation, ComponentDeviations
 from node_client import NodeTest, xyz
 from visualization_msgs.msg import Marker, MarkerArray
 
@@ -19,6 +20,18 @@ class StaticGeometryTest(NodeTest):
         self.assertEqual(post.type, Marker.MESH_RESOURCE)
         self.assertEqual(post.mesh_resource, 'package://cable_variation/test/data/meshes/tetrahedron_binary.stl')
         self.assertEqual(xyz(post.scale), (1, 1, 1))
+
+    def test_a_part_off_its_design_moves_in_its_frame(self):
+        def post():
+            return self.latched('/static_strand/components', MarkerArray).markers[0].pose.position.y
+        self.assertEqual(post(), 0)
+        publisher = rospy.Publisher('/static_strand/component_deviations', ComponentDeviations, queue_size=1, latch=True)
+        message = ComponentDeviations([ComponentDeviation(component='post')])
+        message.components[0].pose.position.y, message.components[0].pose.orientation.w = 0.25, 1.0
+        publisher.publish(message)
+        self.eventually(lambda: post() == 0.25, 'the post 0.25 m from its frame')
+        publisher.publish(ComponentDeviations())
+        self.eventually(lambda: post() == 0, 'the post back')
 
     def test_static_transforms(self):
         self.assertEqual(xyz(self.transform('world', 'holder').translation), (0.25, 0, 0))
