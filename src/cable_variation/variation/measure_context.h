@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include <cable_variation/variation/cable_view.h>
@@ -31,6 +32,10 @@ struct MeasureRates {
 
   CableRates cable(std::size_t index) const;
 };
+
+/// The derivative of a measure by one variable after another; what they share is prepared. What it was made
+/// from must outlive it.
+using RateOfMeasure = std::function<double(const MeasureRates&)>;
 
 /// A place that a measure names by its arc length: it keeps it when the cable changes, except at the
 /// cable's ends (arc length 0 and the scene's length), where it stays at the end.

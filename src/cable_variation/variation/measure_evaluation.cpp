@@ -121,37 +121,39 @@ struct MeasureEvaluator::Impl {
     return figure;
   }
 
-  static double rate(const MeasureContext& context, const Measure& measure, const MeasureValue& value,
-                     const MeasureRates& rates) {
+  static RateOfMeasure rate(const MeasureContext& context, const Measure& measure,
+                            const MeasureValue& value) {
+    using Rates = const MeasureRates&;
     switch (measure.type) {
       case Type::distance:
-        return measure.component ? componentDistanceRate(context, measure, value, rates)
-                                 : cableDistanceRate(context, measure, value, rates);
+        if (measure.component)
+          return [&](Rates rates) { return componentDistanceRate(context, measure, value, rates); };
+        return [&](Rates rates) { return cableDistanceRate(context, measure, value, rates); };
       case Type::similarity:
-        return similarityRate(context, measure, value, rates);
+        return similarityRate(context, measure, value);
       case Type::position:
-        return positionRate(context, measure, value, rates);
+        return [&](Rates rates) { return positionRate(context, measure, value, rates); };
       case Type::bend_radius:
-        return bendRadiusRate(context, value, rates);
+        return [&](Rates rates) { return bendRadiusRate(context, value, rates); };
       case Type::strain:
       case Type::stress:
-        return strengthRate(context, measure, value, rates);
+        return strengthRate(context, measure, value);
       case Type::section_force:
       case Type::section_moment:
-        return sectionLoadRate(context, measure, value, rates);
+        return sectionLoadRate(context, measure, value);
       case Type::twist:
-        return twistRate(context, measure, rates);
+        return twistRate(context, measure);
       case Type::clip_force:
       case Type::clip_moment:
-        return clipLoadRate(context, measure, rates);
+        return [&](Rates rates) { return clipLoadRate(context, measure, rates); };
       case Type::slide:
-        return slideRate(measure, rates);
+        return [&](Rates rates) { return slideRate(measure, rates); };
       case Type::energy:
-        return rates.equilibrium.elastic_energy;
+        return [](Rates rates) { return rates.equilibrium.elastic_energy; };
       case Type::eigenvalue:
         break;
     }
-    return 0.0;
+    return [](Rates) { return 0.0; };
   }
 };
 
@@ -193,12 +195,10 @@ Eigen::MatrixXd MeasureEvaluator::jacobian(const SolvedScene& at, const std::vec
   const MeasureContext context(impl_->scene, at);
   Eigen::MatrixXd jacobian(static_cast<Eigen::Index>(measures.size()),
                            static_cast<Eigen::Index>(design.size()));
-  for (Eigen::Index j = 0; j < jacobian.cols(); ++j) {
-    const auto variable = static_cast<std::size_t>(j);
-    const MeasureRates by{design[variable], rates[variable]};
-    for (Eigen::Index i = 0; i < jacobian.rows(); ++i) {
-      const auto row = static_cast<std::size_t>(i);
-      jacobian(i, j) = Impl::rate(context, impl_->measure(measures[row]), values[row], by);
+  for (std::size_t i = 0; i < measures.size(); ++i) {
+    const RateOfMeasure rate = Impl::rate(context, impl_->measure(measures[i]), values[i]);
+    for (std::size_t j = 0; j < design.size(); ++j) {
+      jacobian(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = rate({design[j], rates[j]});
     }
   }
   return jacobian;

@@ -142,12 +142,15 @@ MeasureValue similarityValue(const MeasureContext& context, const Measure& measu
   return largest;
 }
 
-double similarityRate(const MeasureContext& context, const Measure& measure, const MeasureValue& value,
-                      const MeasureRates& rates) {
-  if (value.value <= kNominal) return limitAtNominal(context, measure, rates);
-  const PlaceRate at = context.cables[value.cable].rate(value.trace.place, rates.cable(value.cable));
-  const double radius = measure.surface ? (value.trace.from_nominal ? -at.radius : at.radius) : 0.0;
-  return value.trace.direction.dot(at.position) + radius;
+RateOfMeasure similarityRate(const MeasureContext& context, const Measure& measure,
+                             const MeasureValue& value) {
+  if (value.value <= kNominal)
+    return [&](const MeasureRates& rates) { return limitAtNominal(context, measure, rates); };
+  return [&](const MeasureRates& rates) {
+    const PlaceRate at = context.cables[value.cable].rate(value.trace.place, rates.cable(value.cable));
+    const double radius = measure.surface ? (value.trace.from_nominal ? -at.radius : at.radius) : 0.0;
+    return value.trace.direction.dot(at.position) + radius;
+  };
 }
 
 }  // namespace cable_variation

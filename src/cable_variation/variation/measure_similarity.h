@@ -12,7 +12,7 @@ MeasureValue similarityValue(const MeasureContext& context, const Measure& measu
 /// At the nominal shape itself, where the measure is zero and has a kink, the one-sided limit of it over a
 /// small change, the same for both directions: the largest shift across the curve, and of the ends along it
 /// too; of surfaces, with the change of the radius.
-double similarityRate(const MeasureContext& context, const Measure& measure, const MeasureValue& value,
-                      const MeasureRates& rates);
+RateOfMeasure similarityRate(const MeasureContext& context, const Measure& measure,
+                             const MeasureValue& value);
 
 }  // namespace cable_variation

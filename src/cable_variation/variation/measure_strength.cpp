@@ -1,7 +1,9 @@
 #include <cable_variation/variation/measure_strength.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <optional>
 
 #include <cable_variation/variation/largest_over.h>
 #include <cable_variation/variation/section_loads.h>
@@ -152,28 +154,31 @@ MeasureValue strengthValue(const MeasureContext& context, const Measure& measure
   });
 }
 
-double strengthRate(const MeasureContext& context, const Measure& measure, const MeasureValue& value,
-                    const MeasureRates& rates) {
+RateOfMeasure strengthRate(const MeasureContext& context, const Measure& measure, const MeasureValue& value) {
   const CableView& view = context.cables[value.cable];
-  const CableRates cable = rates.cable(value.cable);
-  const Place& place = value.trace.place;
-  const SectionLoads& loads = context.loads(value.cable)[place.piece];
-  const SectionLoads change = SectionLoads::rate(view, place.piece, context.at.harness.gravity, cable);
+  const Place place = value.trace.place;
+  const SectionLoads loads(view, place.piece, context.at.harness.gravity);
   const double t = place.t;
-  const Vector6d k = loads.stiffness(t), dk = change.stiffness(t);
-  const Vector3d strain = strainOf(loads.force(t), k.head<3>());
-  const Vector3d curvature = strainOf(loads.moment(t), k.tail<3>());
-  const Vector3d strain_rate = strainRateOf(loads.force(t), k.head<3>(), change.force(t), dk.head<3>());
-  const Vector3d curvature_rate = strainRateOf(loads.moment(t), k.tail<3>(), change.moment(t), dk.tail<3>());
-  const SectionSize size = sizeAt(view, place), size_rate = sizeRate(view, place, cable);
-  const SurfaceStrain at_surface = surfaceStrain(strain, curvature, size);
-  const SurfaceStrain rate =
-      surfaceStrainRate(strain, curvature, size, strain_rate, curvature_rate, size_rate);
-  if (measure.type == Measure::Type::strain) return rate.normal;
-  const double E = size.young_modulus, G = std::sqrt(3.0) * size.shear_modulus;
-  return hypotRate(E * at_surface.normal, G * at_surface.shear,
-                   E * rate.normal + size_rate.young_modulus * at_surface.normal,
-                   G * rate.shear + std::sqrt(3.0) * size_rate.shear_modulus * at_surface.shear);
+  const Vector6d k = loads.stiffness(t);
+  const Vector3d force = loads.force(t), moment = loads.moment(t);
+  const Vector3d strain = strainOf(force, k.head<3>()), curvature = strainOf(moment, k.tail<3>());
+  const SectionSize size = sizeAt(view, place);
+  const bool only_strain = measure.type == Measure::Type::strain;
+  return [=, &view, cable_index = value.cable](const MeasureRates& rates) {
+    const CableRates cable = rates.cable(cable_index);
+    const SectionLoads::Rate change = loads.rate(cable);
+    const Vector6d dk = change.stiffness(t);
+    const SectionSize size_rate = sizeRate(view, place, cable);
+    const SurfaceStrain rate = surfaceStrainRate(
+        strain, curvature, size, strainRateOf(force, k.head<3>(), change.force(t), dk.head<3>()),
+        strainRateOf(moment, k.tail<3>(), change.moment(t), dk.tail<3>()), size_rate);
+    if (only_strain) return rate.normal;
+    const SurfaceStrain at_surface = surfaceStrain(strain, curvature, size);
+    const double E = size.young_modulus, G = std::sqrt(3.0) * size.shear_modulus;
+    return hypotRate(E * at_surface.normal, G * at_surface.shear,
+                     E * rate.normal + size_rate.young_modulus * at_surface.normal,
+                     G * rate.shear + std::sqrt(3.0) * size_rate.shear_modulus * at_surface.shear);
+  };
 }
 
 MeasureValue sectionLoadValue(const MeasureContext& context, const Measure& measure) {
@@ -197,69 +202,102 @@ MeasureValue sectionLoadValue(const MeasureContext& context, const Measure& meas
   return largest;
 }
 
-double sectionLoadRate(const MeasureContext& context, const Measure& measure, const MeasureValue& value,
-                       const MeasureRates& rates) {
+RateOfMeasure sectionLoadRate(const MeasureContext& context, const Measure& measure,
+                              const MeasureValue& value) {
   const CableView& view = context.cables[value.cable];
-  const CableRates cable = rates.cable(value.cable);
-  const Place& place = value.trace.place;
-  const SectionLoads& loads = context.loads(value.cable)[place.piece];
-  const SectionLoads change = SectionLoads::rate(view, place.piece, context.at.harness.gravity, cable);
-  Vector3d rate = loadOf(measure, change, place.t);
-  if (measure.arc_length) {
-    const bool force = measure.type == Measure::Type::section_force;
-    rate += NamedPlace(context, value.cable, *measure.arc_length).shareRate(view, cable) *
-            (force ? loads.forceSlope(place.t) : loads.momentSlope(place.t));
-  }
-  if (measure.axis) return rate[static_cast<int>(*measure.axis)];
+  const Place place = value.trace.place;
+  const SectionLoads loads(view, place.piece, context.at.harness.gravity);
+  const bool force = measure.type == Measure::Type::section_force;
   const Vector3d load = loadOf(measure, loads, place.t);
-  return load.isZero(0.0) ? rate.norm() : load.normalized().dot(rate);
+  const Vector3d slope = force ? loads.forceSlope(place.t) : loads.momentSlope(place.t);
+  std::optional<NamedPlace> named;
+  if (measure.arc_length) named.emplace(context, value.cable, *measure.arc_length);
+  return [=, &view, axis = measure.axis, cable_index = value.cable](const MeasureRates& rates) {
+    const CableRates cable = rates.cable(cable_index);
+    const SectionLoads::Rate change = loads.rate(cable);
+    Vector3d rate = force ? change.force(place.t) : change.moment(place.t);
+    if (named) rate += named->shareRate(view, cable) * slope;
+    if (axis) return rate[static_cast<int>(*axis)];
+    return load.isZero(0.0) ? rate.norm() : load.normalized().dot(rate);
+  };
 }
+
+namespace {
+
+// A stretch of a piece that counts for the twist, with the torsion at its Gauss points.
+struct TwistedStretch {
+  std::size_t piece;
+  double start, end;  ///< t
+  double length;      ///< of the piece [m]
+  SectionLoads loads;
+  std::array<double, 4> t, torsion, stiffness;  ///< torsion [1/m], GJ [N m²]
+  double torsion_at_start, torsion_at_end;      ///< [1/m]
+
+  TwistedStretch(const MeasureContext& context, const CableView& view, std::size_t index, double from,
+                 double to)
+      : piece(index),
+        start(from),
+        end(to),
+        length(view.pieces()[index].length),
+        loads(view, index, context.at.harness.gravity) {
+    for (std::size_t g = 0; g < t.size(); ++g) {
+      t[g] = from + kGauss[g].at * (to - from);
+      stiffness[g] = loads.stiffness(t[g])[3];
+      torsion[g] = loads.moment(t[g]).x() / stiffness[g];
+    }
+    torsion_at_start = loads.moment(from).x() / loads.stiffness(from)[3];
+    torsion_at_end = loads.moment(to).x() / loads.stiffness(to)[3];
+  }
+};
+
+std::vector<TwistedStretch> twistedStretches(const MeasureContext& context, const CableView& view,
+                                             const Place& from, const Place& to) {
+  std::vector<TwistedStretch> stretches;
+  stretches.reserve(to.piece - from.piece + 1);
+  for (std::size_t i = from.piece; i <= to.piece; ++i) {
+    stretches.emplace_back(context, view, i, i == from.piece ? from.t : 0.0, i == to.piece ? to.t : 1.0);
+  }
+  return stretches;
+}
+
+}  // namespace
 
 MeasureValue twistValue(const MeasureContext& context, const Measure& measure) {
   const std::size_t cable = measure.cables.front();
   const CableView& view = context.cables[cable];
   const NamedPlace from(context, cable, measure.from), to(context, cable, measure.to);
   double twist = 0.0;
-  for (std::size_t i = from.place.piece; i <= to.place.piece; ++i) {
-    const double start = i == from.place.piece ? from.place.t : 0.0;
-    const double end = i == to.place.piece ? to.place.t : 1.0;
-    const SectionLoads& loads = context.loads(cable)[i];
-    for (const GaussPoint& gauss : kGauss) {
-      const double t = start + gauss.at * (end - start);
-      twist += gauss.weight * (end - start) * view.pieces()[i].length * loads.moment(t).x() /
-               loads.stiffness(t)[3];
-    }
+  for (const TwistedStretch& stretch : twistedStretches(context, view, from.place, to.place)) {
+    for (std::size_t g = 0; g < stretch.t.size(); ++g)
+      twist += kGauss[g].weight * (stretch.end - stretch.start) * stretch.length * stretch.torsion[g];
   }
   return measureAt(context, cable, to.place, twist);
 }
 
-double twistRate(const MeasureContext& context, const Measure& measure, const MeasureRates& rates) {
+RateOfMeasure twistRate(const MeasureContext& context, const Measure& measure) {
   const std::size_t index = measure.cables.front();
   const CableView& view = context.cables[index];
-  const CableRates cable = rates.cable(index);
   const NamedPlace from(context, index, measure.from), to(context, index, measure.to);
-  const std::vector<SectionLoads> changes =
-      SectionLoads::ratesAlong(view, from.place.piece, to.place.piece, context.at.harness.gravity, cable);
-  double rate = 0.0;
-  for (std::size_t i = from.place.piece; i <= to.place.piece; ++i) {
-    const double start = i == from.place.piece ? from.place.t : 0.0;
-    const double end = i == to.place.piece ? to.place.t : 1.0;
-    const double length = view.pieces()[i].length;
-    const double length_rate = view.end(i, cable).arc_length - view.start(i, cable).arc_length;
-    const SectionLoads& loads = context.loads(index)[i];
-    const SectionLoads& change = changes[i - from.place.piece];
-    const auto torsion = [&](double t) { return loads.moment(t).x() / loads.stiffness(t)[3]; };
-    for (const GaussPoint& gauss : kGauss) {
-      const double t = start + gauss.at * (end - start);
-      const double here = torsion(t);
-      const double change_here =
-          (change.moment(t).x() - here * change.stiffness(t)[3]) / loads.stiffness(t)[3];
-      rate += gauss.weight * (end - start) * (length * change_here + length_rate * here);
+  return [=, &view,
+          stretches = twistedStretches(context, view, from.place, to.place)](const MeasureRates& rates) {
+    const CableRates cable = rates.cable(index);
+    double rate = 0.0;
+    for (const TwistedStretch& stretch : stretches) {
+      const SectionLoads::Rate change = stretch.loads.rate(cable);
+      const CurvePiece moment = change.momentCurve();
+      for (std::size_t g = 0; g < stretch.t.size(); ++g) {
+        const double t = stretch.t[g], torsion = stretch.torsion[g];
+        const double stiffness_rate = (1.0 - t) * change.stiffness_start[3] + t * change.stiffness_end[3];
+        const double torsion_rate =
+            (moment.position(t).x() - torsion * stiffness_rate) / stretch.stiffness[g];
+        rate += kGauss[g].weight * (stretch.end - stretch.start) *
+                (stretch.length * torsion_rate + change.length * torsion);
+      }
     }
-    if (i == from.place.piece) rate -= length * torsion(start) * from.shareRate(view, cable);
-    if (i == to.place.piece) rate += length * torsion(end) * to.shareRate(view, cable);
-  }
-  return rate;
+    const TwistedStretch &first = stretches.front(), &last = stretches.back();
+    return rate - first.length * first.torsion_at_start * from.shareRate(view, cable) +
+           last.length * last.torsion_at_end * to.shareRate(view, cable);
+  };
 }
 
 }  // namespace cable_variation

@@ -12,19 +12,18 @@ namespace cable_variation {
 /// stress; `distance` is the radius, of a rectangle no more than its shorter side. An upper bound, since the
 /// largest of each do not meet in one place.
 MeasureValue strengthValue(const MeasureContext& context, const Measure& measure);
-double strengthRate(const MeasureContext& context, const Measure& measure, const MeasureValue& value,
-                    const MeasureRates& rates);
+RateOfMeasure strengthRate(const MeasureContext& context, const Measure& measure, const MeasureValue& value);
 
 /// section_force, section_moment: the magnitude, or the component along an axis of the section; at an arc
 /// length (at a clip or joint the side s+), or where it is largest (a component: in magnitude, its sign
 /// kept).
 MeasureValue sectionLoadValue(const MeasureContext& context, const Measure& measure);
-double sectionLoadRate(const MeasureContext& context, const Measure& measure, const MeasureValue& value,
-                       const MeasureRates& rates);
+RateOfMeasure sectionLoadRate(const MeasureContext& context, const Measure& measure,
+                              const MeasureValue& value);
 
 /// ∫ (Ω_x - Ω₀_x) ds between two arc lengths: how much further than at rest the last section is turned
 /// about the tangent.
 MeasureValue twistValue(const MeasureContext& context, const Measure& measure);
-double twistRate(const MeasureContext& context, const Measure& measure, const MeasureRates& rates);
+RateOfMeasure twistRate(const MeasureContext& context, const Measure& measure);
 
 }  // namespace cable_variation

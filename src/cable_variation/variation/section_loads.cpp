@@ -1,142 +1,126 @@
 #include <cable_variation/variation/section_loads.h>
 
-#include <optional>
-
 #include <Eigen/Geometry>
 
 #include <cable_variation/harness/shape_point.h>
 
 namespace cable_variation {
-namespace {
 
 using Eigen::Vector3d;
 
-// A vector and its first-order change.
-struct Varied {
-  Vector3d value, rate;
-};
-Varied operator+(const Varied& a, const Varied& b) { return {a.value + b.value, a.rate + b.rate}; }
-Varied operator-(const Varied& a, const Varied& b) { return {a.value - b.value, a.rate - b.rate}; }
-Varied operator-(const Varied& a) { return {-a.value, -a.rate}; }
-Varied cross(const Varied& a, const Varied& b) {
-  return {a.value.cross(b.value), a.rate.cross(b.value) + a.value.cross(b.rate)};
-}
-Varied times(const Varied& a, const Varied& b) {
-  return {a.value.cwiseProduct(b.value), a.rate.cwiseProduct(b.value) + a.value.cwiseProduct(b.rate)};
-}
-Varied over(const Varied& a, const Varied& b) {
-  const Vector3d quotient = a.value.cwiseQuotient(b.value);
-  return {quotient, (a.rate - quotient.cwiseProduct(b.rate)).cwiseQuotient(b.value)};
-}
-Varied constant(const Vector3d& value) { return {value, Vector3d::Zero()}; }
+SectionLoads::End SectionLoads::loadsAt(const ShapePoint& point, const RodProperties& rod,
+                                        const Vector3d& gravity) {
+  const Vector3d k_gamma = rod.stiffness.head<3>(), k_omega = rod.stiffness.tail<3>();
+  End end;
+  end.arc_length = point.arc_length;
+  end.to_section = point.pose.orientation.toRotationMatrix().transpose();
+  end.pull = end.to_section * gravity;
+  const Vector3d n = end.force = end.to_section * point.force;
+  const Vector3d m = end.moment = end.to_section * point.moment;
+  end.strain = n.cwiseQuotient(k_gamma);
+  end.curvature = m.cwiseQuotient(k_omega);
+  end.gamma = Vector3d::UnitX() + end.strain;
+  end.omega = end.curvature + rod.rest_curvature;
 
-// Force and moment at a section, in its frame, with two derivatives over s.
-struct EndLoads {
-  Varied force, force_slope, force_second;
-  Varied moment, moment_slope, moment_second;
-};
+  const Vector3d n1 = end.force_slope = -end.omega.cross(n) - rod.mass_per_length * end.pull;
+  const Vector3d m1 = end.moment_slope = -end.omega.cross(m) - end.gamma.cross(n);
+  end.gamma_slope = (n1 - rod.stiffness_slope.head<3>().cwiseProduct(end.strain)).cwiseQuotient(k_gamma);
+  end.curvature_slope =
+      (m1 - rod.stiffness_slope.tail<3>().cwiseProduct(end.curvature)).cwiseQuotient(k_omega);
+  end.omega_slope = end.curvature_slope + rod.rest_curvature_slope;
+  end.force_second = -end.omega_slope.cross(n) - end.omega.cross(n1) - rod.mass_slope * end.pull +
+                     rod.mass_per_length * end.omega.cross(end.pull);
+  end.moment_second =
+      -end.omega_slope.cross(m) - end.omega.cross(m1) - end.gamma_slope.cross(n) - end.gamma.cross(n1);
+  return end;
+}
 
-// n' = -Ω×n - ρA Rᵀg, m' = -Ω×m - Γ×n, and these differentiated once more.
-EndLoads endLoads(const ShapePoint& point, const ShapePointRate& rate, const RodProperties& rod,
-                  const RodProperties& rod_rate, const Vector3d& gravity) {
-  const Eigen::Matrix3d to_section = point.pose.orientation.toRotationMatrix().transpose();
-  const auto inSection = [&](const Vector3d& v, const Vector3d& v_rate) {
-    return Varied{to_section * v, to_section * (v_rate - rate.rotation.cross(v))};
+// loadsAt() line by line, by the product rule.
+PointLoads SectionLoads::loadRates(const End& at, const RodProperties& rod, const RodProperties& rod_rate,
+                                   const ShapePointRate& rate) {
+  const Vector3d k_gamma = rod.stiffness.head<3>(), k_omega = rod.stiffness.tail<3>();
+  const Vector3d dk_gamma = rod_rate.stiffness.head<3>(), dk_omega = rod_rate.stiffness.tail<3>();
+  const Vector3d &n = at.force, &m = at.moment, &n1 = at.force_slope, &m1 = at.moment_slope;
+  const Vector3d turn = at.to_section * rate.rotation;
+  const Vector3d pull = -turn.cross(at.pull);
+  const Vector3d& gamma = rate.strain;
+  const Vector3d omega = rate.curvature + rod_rate.rest_curvature;
+
+  PointLoads d;
+  d.force = at.to_section * rate.force - turn.cross(n);
+  d.moment = at.to_section * rate.moment - turn.cross(m);
+  d.force_slope = -omega.cross(n) - at.omega.cross(d.force) - rod_rate.mass_per_length * at.pull -
+                  rod.mass_per_length * pull;
+  d.moment_slope = -omega.cross(m) - at.omega.cross(d.moment) - gamma.cross(n) - at.gamma.cross(d.force);
+  const Vector3d gamma_slope =
+      (d.force_slope - rod_rate.stiffness_slope.head<3>().cwiseProduct(at.strain) -
+       rod.stiffness_slope.head<3>().cwiseProduct(gamma) - dk_gamma.cwiseProduct(at.gamma_slope))
+          .cwiseQuotient(k_gamma);
+  const Vector3d omega_slope =
+      (d.moment_slope - rod_rate.stiffness_slope.tail<3>().cwiseProduct(at.curvature) -
+       rod.stiffness_slope.tail<3>().cwiseProduct(rate.curvature) - dk_omega.cwiseProduct(at.curvature_slope))
+          .cwiseQuotient(k_omega) +
+      rod_rate.rest_curvature_slope;
+  d.force_second = -omega_slope.cross(n) - at.omega_slope.cross(d.force) - omega.cross(n1) -
+                   at.omega.cross(d.force_slope) - rod_rate.mass_slope * at.pull - rod.mass_slope * pull +
+                   rod_rate.mass_per_length * at.omega.cross(at.pull) +
+                   rod.mass_per_length * (omega.cross(at.pull) + at.omega.cross(pull));
+  d.moment_second = -omega_slope.cross(m) - at.omega_slope.cross(d.moment) - omega.cross(m1) -
+                    at.omega.cross(d.moment_slope) - gamma_slope.cross(n) - at.gamma_slope.cross(d.force) -
+                    gamma.cross(n1) - at.gamma.cross(d.force_slope);
+  return d;
+}
+
+SectionLoads::SectionLoads(const CableView& view, std::size_t piece, const Vector3d& gravity)
+    : point_(view.pieces()[piece].point),
+      length_(view.pieces()[piece].length),
+      rod_start_(view.pieces()[piece].start),
+      rod_end_(view.pieces()[piece].end),
+      stiffness_start_(rod_start_.stiffness),
+      stiffness_end_(rod_end_.stiffness),
+      start_(loadsAt(view.start(piece), rod_start_, gravity)),
+      end_(loadsAt(view.end(piece), rod_end_, gravity)),
+      force_({start_.force, start_.force_slope, start_.force_second},
+             {end_.force, end_.force_slope, end_.force_second}, length_),
+      moment_({start_.moment, start_.moment_slope, start_.moment_second},
+              {end_.moment, end_.moment_slope, end_.moment_second}, length_) {}
+
+SectionLoads::Rate SectionLoads::rate(const CableRates& rates) const {
+  const ShapePointRate &start = rates.points[point_], &end = rates.points[point_ + 1];
+  const RodProperties rod_start = propertyRate(rod_start_, start_.arc_length, rates.cable, start.arc_length);
+  const RodProperties rod_end = propertyRate(rod_end_, end_.arc_length, rates.cable, end.arc_length);
+  Rate rate;
+  rate.piece_length = length_;
+  rate.length = end.arc_length - start.arc_length;
+  rate.stiffness_start = rod_start.stiffness;
+  rate.stiffness_end = rod_end.stiffness;
+  rate.start = loadRates(start_, rod_start_, rod_start, start);
+  rate.end = loadRates(end_, rod_end_, rod_end, end);
+  // derivatives over s become those over t by the piece's length, which changes too
+  const double stretch = rate.length / length_;
+  const auto stretched = [&](PointLoads& loads, const PointLoads& at) {
+    loads.force_slope += stretch * at.force_slope;
+    loads.force_second += 2.0 * stretch * at.force_second;
+    loads.moment_slope += stretch * at.moment_slope;
+    loads.moment_second += 2.0 * stretch * at.moment_second;
   };
-  const Varied k_gamma{rod.stiffness.head<3>(), rod_rate.stiffness.head<3>()};
-  const Varied k_omega{rod.stiffness.tail<3>(), rod_rate.stiffness.tail<3>()};
-  const Varied k_gamma_slope{rod.stiffness_slope.head<3>(), rod_rate.stiffness_slope.head<3>()};
-  const Varied k_omega_slope{rod.stiffness_slope.tail<3>(), rod_rate.stiffness_slope.tail<3>()};
-  const Varied mass{Vector3d::Constant(rod.mass_per_length), Vector3d::Constant(rod_rate.mass_per_length)};
-  const Varied mass_slope{Vector3d::Constant(rod.mass_slope), Vector3d::Constant(rod_rate.mass_slope)};
-
-  EndLoads loads;
-  const Varied n = loads.force = inSection(point.force, rate.force);
-  const Varied m = loads.moment = inSection(point.moment, rate.moment);
-  const Varied pull = inSection(gravity, Vector3d::Zero());
-  const Varied strain = over(n, k_gamma), curvature = over(m, k_omega);
-  const Varied gamma = constant(Vector3d::UnitX()) + strain;
-  const Varied omega = curvature + Varied{rod.rest_curvature, rod_rate.rest_curvature};
-
-  const Varied n1 = loads.force_slope = -cross(omega, n) - times(mass, pull);
-  const Varied m1 = loads.moment_slope = -cross(omega, m) - cross(gamma, n);
-  const Varied gamma1 = over(n1 - times(k_gamma_slope, strain), k_gamma);
-  const Varied omega1 = over(m1 - times(k_omega_slope, curvature), k_omega) +
-                        Varied{rod.rest_curvature_slope, rod_rate.rest_curvature_slope};
-  loads.force_second =
-      -cross(omega1, n) - cross(omega, n1) - times(mass_slope, pull) + times(mass, cross(omega, pull));
-  loads.moment_second = -cross(omega1, m) - cross(omega, m1) - cross(gamma1, n) - cross(gamma, n1);
-  return loads;
-}
-
-EndLoads unvaried(const ShapePoint& point, const RodProperties& rod, const Vector3d& gravity) {
-  static const ShapePointRate none;
-  static const RodProperties no_change{Vector6d::Zero(),
-                                       Vector6d::Zero(),
-                                       Vector3d::Zero(),
-                                       Vector3d::Zero(),
-                                       Vector3d::Zero(),
-                                       0.0,
-                                       0.0,
-                                       0.0};
-  return endLoads(point, none, rod, no_change, gravity);
-}
-
-}  // namespace
-
-SectionLoads::SectionLoads(const CableView& view, std::size_t index, const Vector3d& gravity)
-    : SectionLoads([&] {
-        const CableView::Piece& piece = view.pieces()[index];
-        const EndLoads a = unvaried(view.start(index), piece.start, gravity);
-        const EndLoads b = unvaried(view.end(index), piece.end, gravity);
-        return SectionLoads(
-            CurvePiece({a.force.value, a.force_slope.value, a.force_second.value},
-                       {b.force.value, b.force_slope.value, b.force_second.value}, piece.length),
-            CurvePiece({a.moment.value, a.moment_slope.value, a.moment_second.value},
-                       {b.moment.value, b.moment_slope.value, b.moment_second.value}, piece.length));
-      }()) {
-  stiffness_start_ = view.pieces()[index].start.stiffness;
-  stiffness_end_ = view.pieces()[index].end.stiffness;
-}
-
-Eigen::Matrix<double, 6, 1> SectionLoads::stiffness(double t) const {
-  return (1.0 - t) * stiffness_start_ + t * stiffness_end_;
-}
-
-std::vector<SectionLoads> SectionLoads::ratesAlong(const CableView& view, std::size_t first, std::size_t last,
-                                                   const Vector3d& gravity, const CableRates& rates) {
-  struct End {
-    EndLoads loads;
-    Eigen::Matrix<double, 6, 1> stiffness_rate;
-  };
-  const auto endOf = [&](const ShapePoint& point, const ShapePointRate& rate, const RodProperties& rod) {
-    const RodProperties rod_rate = propertyRate(rod, point.arc_length, rates.cable, rate.arc_length);
-    return End{endLoads(point, rate, rod, rod_rate, gravity), rod_rate.stiffness};
-  };
-  std::vector<SectionLoads> changes;
-  changes.reserve(last - first + 1);
-  std::optional<End> before;
-  for (std::size_t i = first; i <= last; ++i) {
-    const CableView::Piece& piece = view.pieces()[i];
-    const bool shared = before && view.pieces()[i - 1].point + 1 == piece.point;
-    const End a = shared ? *before : endOf(view.start(i), view.start(i, rates), piece.start);
-    const End b = endOf(view.end(i), view.end(i, rates), piece.end);
-    const double stretch = (view.end(i, rates).arc_length - view.start(i, rates).arc_length) / piece.length;
-    // derivatives over s become those over t by the piece's length, which changes too
-    const auto curveEnd = [&](const Varied& value, const Varied& slope, const Varied& second) {
-      return CurvePiece::End{value.rate, slope.rate + stretch * slope.value,
-                             second.rate + 2.0 * stretch * second.value};
-    };
-    changes.push_back(SectionLoads(
-        CurvePiece(curveEnd(a.loads.force, a.loads.force_slope, a.loads.force_second),
-                   curveEnd(b.loads.force, b.loads.force_slope, b.loads.force_second), piece.length),
-        CurvePiece(curveEnd(a.loads.moment, a.loads.moment_slope, a.loads.moment_second),
-                   curveEnd(b.loads.moment, b.loads.moment_slope, b.loads.moment_second), piece.length)));
-    changes.back().stiffness_start_ = a.stiffness_rate;
-    changes.back().stiffness_end_ = b.stiffness_rate;
-    before = b;
+  if (stretch != 0.0) {
+    stretched(rate.start, start_);
+    stretched(rate.end, end_);
   }
-  return changes;
+  return rate;
+}
+
+CurvePiece SectionLoads::Rate::forceCurve() const {
+  return {{start.force, start.force_slope, start.force_second},
+          {end.force, end.force_slope, end.force_second},
+          piece_length};
+}
+
+CurvePiece SectionLoads::Rate::momentCurve() const {
+  return {{start.moment, start.moment_slope, start.moment_second},
+          {end.moment, end.moment_slope, end.moment_second},
+          piece_length};
 }
 
 }  // namespace cable_variation
