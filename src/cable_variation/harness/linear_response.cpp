@@ -41,7 +41,9 @@ LinearResponse::LinearResponse(RodSystem& system, const Configuration& configura
     kernel.energy(input, explicit_[b].elastic);
     kernel.arcLength(input, slope, explicit_[b].elastic_by_arc_length);
   }
+  response_.motion = system.zeroField();
   for (std::size_t i = 0; i < system.spans_.size(); ++i) {
+    response_.section_forces.emplace_back(6, static_cast<Eigen::Index>(system.spans_[i].elements) + 1);
     end_stiffness_.emplace_back(system.spans_[i].elements);
     for (std::size_t e = 0; e < end_stiffness_[i].size(); ++e) {
       for (int row = 0; row < 2; ++row) {
@@ -142,21 +144,28 @@ void LinearResponse::addArcLengths(const Eigen::VectorXd& arc_lengths) {
   }
 }
 
-// Fills explicit_; whether there is anything but moved clips.
-bool LinearResponse::differentiateExplicitly(const HarnessChange& change) {
+void LinearResponse::clearExplicit() {
+  if (explicit_is_clear_) return;
   for (ExplicitChange& batch : explicit_) {
     std::fill(&batch.gradient[0][0], &batch.gradient[0][0] + kDofs * kLanes, 0.0);
     std::fill(&batch.arc_length_gradient[0][0], &batch.arc_length_gradient[0][0] + 2 * kLanes, 0.0);
     std::fill(batch.elastic_energy, batch.elastic_energy + kLanes, 0.0);
   }
-  for (const CableRate& cable : change.cables) differentiateProperties(cable);
-  addArcLengths(change.arc_lengths);
-  return !change.cables.empty() || !change.arc_lengths.isZero(0.0);
+  explicit_is_clear_ = true;
 }
 
-// Minus the gradient's explicit change.
-NodalField LinearResponse::force(const HarnessChange& change) const {
-  NodalField field = system_.zeroField();
+// Fills explicit_; whether there is anything but moved clips.
+bool LinearResponse::differentiateExplicitly(const HarnessChange& change) {
+  clearExplicit();
+  if (change.cables.empty() && change.arc_lengths.isZero(0.0)) return false;
+  explicit_is_clear_ = false;
+  for (const CableRate& cable : change.cables) differentiateProperties(cable);
+  addArcLengths(change.arc_lengths);
+  return true;
+}
+
+// Subtracts the gradient's explicit change.
+void LinearResponse::addForce(const HarnessChange& change, NodalField& field) const {
   for (std::size_t i = 0; i < system_.spans_.size(); ++i) {
     const RodSystem::SpanData& data = system_.spans_[i];
     const Span& span = system_.topology_.spans[i];
@@ -186,7 +195,6 @@ NodalField LinearResponse::force(const HarnessChange& change) const {
     nodes.col(0).setZero();
     nodes.col(nodes.cols() - 1).setZero();
   }
-  return field;
 }
 
 // The balance of a station's unknowns is that of its force and moment along their axes: subtracts what the
@@ -213,41 +221,42 @@ void LinearResponse::turnAxes(const HarnessChange& change, Eigen::VectorXd& forc
   }
 }
 
-HarnessResponse LinearResponse::to(const HarnessChange& change) {
-  RodSystem& system = system_;
+const HarnessResponse& LinearResponse::to(const HarnessChange& change) {
   const bool is_explicit = differentiateExplicitly(change);
-  HarnessResponse response;
-  response.motion = is_explicit ? force(change) : system.zeroField();
-  turnAxes(change, response.motion.unknowns);
-  system.solveCarried(change.carried, response.motion, !is_explicit);
+  NodalField& motion = response_.motion;
+  motion.scale(0.0);
+  if (is_explicit) addForce(change, motion);
+  turnAxes(change, motion.unknowns);
+  system_.solveCarried(change.carried, motion, !is_explicit);
 
-  response.arc_lengths = change.arc_lengths;
-  Eigen::VectorXd slides = Eigen::VectorXd::Zero(response.arc_lengths.size());
-  for (std::size_t i = 0; i < system.topology_.stations.size(); ++i) {
-    const int slide = system.unknowns_.slide(i);
-    if (slide >= 0) slides[static_cast<Eigen::Index>(i)] = response.motion.unknowns[slide];
+  Eigen::VectorXd slides = Eigen::VectorXd::Zero(change.arc_lengths.size());
+  for (std::size_t i = 0; i < system_.topology_.stations.size(); ++i) {
+    const int slide = system_.unknowns_.slide(i);
+    if (slide >= 0) slides[static_cast<Eigen::Index>(i)] = motion.unknowns[slide];
   }
-  addArcLengths(slides);
-  response.arc_lengths += slides;
-  sectionForces(response, is_explicit || !slides.isZero(0.0));
-  response.elastic_energy = elasticEnergy(response);
-  return response;
+  const bool slid = !slides.isZero(0.0);
+  if (slid) {
+    explicit_is_clear_ = false;
+    addArcLengths(slides);
+  }
+  response_.arc_lengths = change.arc_lengths + slides;
+  findSectionForces(is_explicit || slid);
+  response_.elastic_energy = elasticEnergy();
+  return response_;
 }
 
 // Forces at the elements' ends: their stiffness, inner nodes eliminated, times the ends' motion, and what
 // changes explicitly.
-void LinearResponse::sectionForces(HarnessResponse& response, bool is_explicit) {
+void LinearResponse::findSectionForces(bool is_explicit) {
   const element::Kernel& kernel = element::kernel();
   if (is_explicit) {
     for (std::size_t b = 0; b < explicit_.size(); ++b) {
       kernel.condense(system_.batches_[b].factor, explicit_[b].gradient);
     }
   }
-  response.section_forces.resize(system_.spans_.size());
   for (std::size_t i = 0; i < system_.spans_.size(); ++i) {
     const std::size_t elements = system_.spans_[i].elements;
-    auto& forces = response.section_forces[i];
-    forces.resize(6, static_cast<Eigen::Index>(elements) + 1);
+    auto& forces = response_.section_forces[i];
     for (std::size_t boundary = 0; boundary <= elements; ++boundary) {
       const std::size_t e = boundary == 0 ? 0 : boundary - 1;
       const double sign = boundary == 0 ? -1.0 : 1.0;
@@ -256,7 +265,7 @@ void LinearResponse::sectionForces(HarnessResponse& response, bool is_explicit) 
       const auto first = static_cast<Eigen::Index>(3 * e);
       const int side = boundary == 0 ? 0 : 1;
       const int row = kInner + 6 * side;
-      const auto& motion = response.motion.spans[i];
+      const auto& motion = response_.motion.spans[i];
       const auto& stiffness = end_stiffness_[i][e];
       Vector6d rate = stiffness.block<6, 6>(6 * side, 0) * motion.col(first) +
                       stiffness.block<6, 6>(6 * side, 6) * motion.col(first + 3);
@@ -275,16 +284,16 @@ void LinearResponse::sectionForces(HarnessResponse& response, bool is_explicit) 
   }
 }
 
-double LinearResponse::elasticEnergy(const HarnessResponse& response) const {
+double LinearResponse::elasticEnergy() const {
   double sum = 0.0;
   for (std::size_t b = 0; b < explicit_.size(); ++b) {
     for (int lane = 0; lane < system_.batches_[b].lanes; ++lane) sum += explicit_[b].elastic_energy[lane];
   }
   for (std::size_t i = 0; i < system_.spans_.size(); ++i) {
     const Span& span = system_.topology_.spans[i];
-    const double left = response.arc_lengths[static_cast<Eigen::Index>(span.left)];
-    const double right = response.arc_lengths[static_cast<Eigen::Index>(span.right)];
-    const auto& nodes = response.motion.spans[i];
+    const double left = response_.arc_lengths[static_cast<Eigen::Index>(span.left)];
+    const double right = response_.arc_lengths[static_cast<Eigen::Index>(span.right)];
+    const auto& nodes = response_.motion.spans[i];
     for (std::size_t e = 0; e < system_.spans_[i].elements; ++e) {
       const RodSystem::Element at = system_.elementOf(i, e);
       const ExplicitChange& batch = explicit_[at.batch];

@@ -43,22 +43,26 @@ class LinearResponse {
   LinearResponse(RodSystem& system, const Configuration& configuration);
   ~LinearResponse();
 
-  HarnessResponse to(const HarnessChange& change);
+  /// The response stays valid until the next call.
+  const HarnessResponse& to(const HarnessChange& change);
 
  private:
   struct ExplicitChange;
 
+  void clearExplicit();
   bool differentiateExplicitly(const HarnessChange& change);
   void differentiateProperties(const CableRate& cable);
   void addArcLengths(const Eigen::VectorXd& arc_lengths);
-  NodalField force(const HarnessChange& change) const;
+  void addForce(const HarnessChange& change, NodalField& field) const;
   void turnAxes(const HarnessChange& change, Eigen::VectorXd& force) const;
-  void sectionForces(HarnessResponse& response, bool is_explicit);
-  double elasticEnergy(const HarnessResponse& response) const;
+  void findSectionForces(bool is_explicit);
+  double elasticEnergy() const;
 
   RodSystem& system_;
   const Configuration& configuration_;
+  HarnessResponse response_;
   std::vector<ExplicitChange> explicit_;  // one per batch
+  bool explicit_is_clear_ = false;
   // Per span and element: what its left end, and its right end, feel of the motion of both, inner nodes
   // eliminated.
   std::vector<std::vector<Eigen::Matrix<double, 12, 12>>> end_stiffness_;

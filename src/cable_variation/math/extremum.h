@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <vector>
 
+#include <boost/math/tools/minima.hpp>
+
 namespace cable_variation {
 
 /// The largest value of a quantity along a cable.
@@ -41,34 +43,18 @@ Extremum largestAlong(std::size_t pieces, const Quantity& quantity, double accur
   constexpr std::size_t kMost = 8;
   if (peaks.size() > kMost) peaks.resize(kMost);
 
+  const int bits = 1 + static_cast<int>(std::ceil(-std::log2(accuracy)));
   const auto refine = [&](std::size_t index) {
     const std::size_t piece = index / kPerPiece;
     const double middle = static_cast<double>(index % kPerPiece) / kSteps;
     Extremum found{samples[index], piece, middle, true};
-    // golden section
-    const double kShrink = 0.5 * (std::sqrt(5.0) - 1.0);
-    double low = std::max(0.0, middle - 1.0 / kSteps), high = std::min(1.0, middle + 1.0 / kSteps);
-    double a = high - kShrink * (high - low), b = low + kShrink * (high - low);
-    double at_a = quantity(piece, a), at_b = quantity(piece, b);
-    while (high - low > accuracy) {
-      if (at_a > at_b) {
-        high = b;
-        b = a;
-        at_b = at_a;
-        a = high - kShrink * (high - low);
-        at_a = quantity(piece, a);
-      } else {
-        low = a;
-        a = b;
-        at_a = at_b;
-        b = low + kShrink * (high - low);
-        at_b = quantity(piece, b);
-      }
-    }
+    const double low = std::max(0.0, middle - 1.0 / kSteps), high = std::min(1.0, middle + 1.0 / kSteps);
+    const auto [t, minus] = boost::math::tools::brent_find_minima(
+        [&](double at) { return -quantity(piece, at); }, low, high, bits);
     // a sample is kept unless the refined value is larger by more than rounding
-    if (std::max(at_a, at_b) > found.value + 1e-14 * std::abs(found.value)) {
-      found.value = std::max(at_a, at_b);
-      found.t = at_a > at_b ? a : b;
+    if (-minus > found.value + 1e-14 * std::abs(found.value)) {
+      found.value = -minus;
+      found.t = t;
     }
     return found;
   };
