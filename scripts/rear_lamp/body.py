@@ -9,7 +9,7 @@ from engine_bay.solids import box, plate
 
 from .lamp import outline
 
-LAMPS = {"left": 0.185, "right": -0.185}  # y of each lamp [m]
+LAMPS = {"left": -0.185, "right": 0.185}  # y of each lamp [m]
 SADDLE = np.array([-0.022, -0.070, -0.118])  # pigtail's clip behind the panel, from the lamp's origin
 FRONT = -0.008  # of the panel: what the lamps' collars rest on
 

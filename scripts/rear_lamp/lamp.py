@@ -1,6 +1,6 @@
 """A rear lamp: lens, housing, connector, and the studs that locate it.
 
-Frame: x out of the car, y to its left, z up; origin in the middle of the lamp on the body's surface.
+Frame: x out of the car to the rear, y to its right, z up; origin in the middle of the lamp on the body's surface.
 """
 
 import numpy as np
@@ -26,7 +26,7 @@ def rounded_square(a, b, roundness=0.62):
 
 
 def face(a, b):
-    """A point of the lens's outline or inside it, (y, z) [m], for a and b in [-1, 1]: lower towards the left."""
+    """A point of the lens's outline or inside it, (y, z) [m], for a and b in [-1, 1]: lower towards the right."""
     across, up = rounded_square(a, b)
     height = HALF_HEIGHT * (1 - 0.20 * (0.5 + 0.5 * across) ** 2)
     return HALF_WIDTH * across, height * up + 0.008 * (0.5 + 0.5 * across)
@@ -42,7 +42,7 @@ def outline(scale=1.0, per_side=24):
 
 
 def lens():
-    """Curved both ways and drawn round the car's left corner; ribbed where the light comes out."""
+    """Curved both ways and drawn round the car's right corner; ribbed where the light comes out."""
 
     def surface(u, v):
         a, b = 2 * u - 1, 2 * v - 1

@@ -69,7 +69,7 @@ std::string millimetres(double value) {
   return text;
 }
 
-/// Above the part as it stands in the world.
+/// Above the part and in front of it, as it stands in the world.
 Marker label(const Component& component, int id, const Pose& deviation, const Pose& pose, double largest) {
   Vector3d low = Vector3d::Constant(HUGE_VAL), high = Vector3d::Constant(-HUGE_VAL);
   for (const cable_variation::Visual& visual : component.visuals) {
@@ -80,7 +80,7 @@ Marker label(const Component& component, int id, const Pose& deviation, const Po
       high = high.cwiseMax(placed * vertex);
     }
   }
-  const Vector3d place(0.5 * (low.x() + high.x()), 0.5 * (low.y() + high.y()), high.z() + kTextHeight);
+  const Vector3d place(high.x(), 0.5 * (low.y() + high.y()), high.z() + kTextHeight);
   Pose at = deviation;
   at.position = deviation * (pose.inverse() * place);
   Marker marker = blank(component, id, Marker::TEXT_VIEW_FACING, at);
