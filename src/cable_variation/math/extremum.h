@@ -60,6 +60,7 @@ Extremum largestAlong(std::size_t pieces, const Quantity& quantity, double accur
   };
 
   std::vector<Extremum> maxima;
+  maxima.reserve(peaks.size());
   for (const std::size_t peak : peaks) maxima.push_back(refine(peak));
   Extremum best = maxima.front();
   for (const Extremum& other : maxima) {
