@@ -237,9 +237,33 @@ TEST_P(Sensitivity, IsTheSlopeOfResolvedEquilibria) {
         level = std::max(level, std::abs(here[i]));
         worst = std::max(worst, std::abs(slope - rate[i]));
       }
-      // 1e-6 of the derivative; and what rounding leaves of the values, stretch times a large EA, over the step
+      // 1e-6 of the derivative; and what rounding leaves of the values, stretch times a large EA, over the
+      // step
       EXPECT_LE(worst, 1e-6 * size + 2e-7 * level) << field.name << " of size " << size;
     }
+  }
+}
+
+TEST_P(Sensitivity, OfTheSmallestEigenvalueIsItsSlope) {
+  EquilibriumOptions options;
+  options.accuracy = 1.0;
+  const Harness& harness = GetParam().harness;
+  EquilibriumSolver solver(options);
+  const Equilibrium nominal = solver.solve(harness);
+  ASSERT_TRUE(nominal.converged()) << nominal.message;
+  const std::vector<NamedRate> variables = ratesFor(harness);
+  std::vector<HarnessRate> rates;
+  for (const NamedRate& variable : variables) rates.push_back(variable.rate);
+  const std::vector<double> derivatives = solver.eigenvalueRates(rates);
+  for (std::size_t v = 0; v < variables.size(); ++v) {
+    const auto at = [&](double step) {
+      return EquilibriumSolver(solver).update(changed(harness, variables[v].rate, step)).smallest_eigenvalue;
+    };
+    constexpr double kStep = 5e-4;
+    const double slope = (8.0 * (at(kStep) - at(-kStep)) - (at(2 * kStep) - at(-2 * kStep))) / (12.0 * kStep);
+    // eigenvalues are found to 1e-9 of themselves, here over the step
+    EXPECT_NEAR(derivatives[v], slope, 2e-6 * std::abs(slope) + 1e-5 * nominal.smallest_eigenvalue)
+        << variables[v].name << ", eigenvalue " << nominal.smallest_eigenvalue;
   }
 }
 

@@ -81,7 +81,7 @@ HarnessChange changeOf(const Harness& harness, const Topology& topology, const S
 }
 
 double sizeOf(const HarnessChange& change, const HarnessResponse& response, double length) {
-  double size = std::max(response.arc_lengths.cwiseAbs().maxCoeff() / length, 1e-300);
+  double size = response.arc_lengths.cwiseAbs().maxCoeff() / length;
   for (const auto& nodes : response.motion.spans) {
     size = std::max({size, nodes.topRows<3>().cwiseAbs().maxCoeff() / length,
                      nodes.bottomRows<3>().cwiseAbs().maxCoeff()});

@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
 #include <sstream>
 #include <stdexcept>
 
 #include <cable_variation/harness/discretisation.h>
+#include <cable_variation/harness/eigenvalue_rate.h>
 #include <cable_variation/harness/equilibrium.h>
 #include <cable_variation/harness/equilibrium_rate.h>
 #include <cable_variation/harness/equilibrium_result.h>
@@ -323,26 +323,14 @@ std::vector<EquilibriumRate> EquilibriumSolver::Impl::differentiate(
   return rates;
 }
 
-// The eigenvalue's derivative takes that of the Hessian along the response: equilibria a little to both
-// sides.
 std::vector<double> EquilibriumSolver::Impl::eigenvalueRates(const std::vector<HarnessRate>& variables) {
-  constexpr double kTurn = 2e-3;  // that the nearer ones may turn a section by [rad]
   LinearResponse response = linearise();
+  EigenvalueRate rate(*problem);
   std::vector<double> rates;
   for (const HarnessRate& variable : variables) {
     const HarnessChange change = changeOf(problem->harness, problem->topology, problem->system->unknowns(),
                                           problem->configuration, variable);
-    const double step = kTurn / sizeOf(change, response.to(change), problem->length());
-    const auto eigenvalue = [&](double by) {
-      Impl aside(*this);
-      aside.options.eigenvalue = true;
-      aside.options.accuracy = std::numeric_limits<double>::infinity();  // on the same grid
-      const Equilibrium found = aside.update(changed(problem->harness, variable, by));
-      return found.converged() ? found.smallest_eigenvalue : std::numeric_limits<double>::quiet_NaN();
-    };
-    const double near = (eigenvalue(step) - eigenvalue(-step)) / (2.0 * step);
-    const double far = (eigenvalue(2.0 * step) - eigenvalue(-2.0 * step)) / (4.0 * step);
-    rates.push_back((4.0 * near - far) / 3.0);
+    rates.push_back(rate.of(variable, change, response.to(change)));
   }
   return rates;
 }

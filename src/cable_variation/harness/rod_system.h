@@ -93,6 +93,10 @@ class RodSystem {
   /// Whether all loads have a potential: no dead moment on a section that turns about more than one axis.
   bool conservative() const;
 
+  /// Hessian, on both sides multiplied by a motion; after evaluate() with the exact Hessian, before
+  /// factorise().
+  double curvatureAlong(const NodalField& motion) const;
+
   /// Metric times motion.
   void applyMetric(const std::vector<Metric>& metric, const NodalField& motion, NodalField& result) const;
   NodalField zeroField() const;

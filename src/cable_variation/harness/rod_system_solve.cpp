@@ -384,6 +384,40 @@ void RodSystem::solveCarried(const Eigen::Matrix<double, 6, Eigen::Dynamic>& car
   expand(ends, motion);
 }
 
+double RodSystem::curvatureAlong(const NodalField& motion) const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < spans_.size(); ++i) {
+    const Vector14d ends = endMotion(i, motion.unknowns);
+    const Eigen::Vector2d slide = ends.tail<2>();
+    for (std::size_t e = 0; e < spans_[i].elements; ++e) {
+      const Element at = elementOf(i, e);
+      const Batch& batch = batches_[at.batch];
+      double x[kDofs];
+      for (int a = 0; a < kNodes; ++a) {
+        const auto column = static_cast<Eigen::Index>(3 * e) + a;
+        const bool left = column == 0, right = column + 1 == motion.spans[i].cols();
+        for (int k = 0; k < 6; ++k) {
+          x[kFirstDof[a] + k] = left ? ends[k] : right ? ends[6 + k] : motion.spans[i](k, column);
+        }
+      }
+      for (int row = 0; row < kDofs; ++row) {
+        for (int column = 0; column < row; ++column) {
+          sum += 2.0 * x[row] * x[column] * batch.factor.matrix[packed(row, column)][at.lane];
+        }
+        sum += x[row] * x[row] * batch.factor.matrix[packed(row, row)][at.lane];
+        for (int side = 0; spans_[i].slides && side < 2; ++side) {
+          sum += 2.0 * x[row] * slide[side] * batch.slide[side][row][at.lane];
+        }
+      }
+    }
+    if (spans_[i].slides) sum += slide.dot(spans_[i].slide_second * slide);
+  }
+  for (const auto& entry : curvature_) {
+    sum += entry.value * motion.unknowns[entry.row] * motion.unknowns[entry.column];
+  }
+  return sum;
+}
+
 void RodSystem::applyMetric(const std::vector<Metric>& metric, const NodalField& motion,
                             NodalField& result) const {
   result = zeroField();
