@@ -1,14 +1,27 @@
 #include <cable_variation/harness/eigenvalue_rate.h>
 
+#include <cmath>
+
 #include <cable_variation/harness/equilibrium_rate.h>
 #include <cable_variation/harness/smallest_eigenvalue.h>
 
 namespace cable_variation {
 
 EigenvalueRate::EigenvalueRate(const Problem& problem) : problem_(problem), aside_(problem) {
-  aside_.system->evaluate(aside_.configuration, RodSystem::Hessian::exact);
-  constexpr double kAccuracy = 1e-15;  // its square root is that of the motion, and of the derivatives
-  smallestEigenvalue(*aside_.system, aside_.configuration, &mode_, kAccuracy);
+  RodSystem& system = *aside_.system;
+  system.evaluate(aside_.configuration, RodSystem::Hessian::exact);
+  const double eigenvalue = smallestEigenvalue(system, aside_.configuration, &mode_);
+  // The quotient's derivative is as good as the motion: inverse iteration next to the eigenvalue sharpens it.
+  constexpr double kBeside = 1e-4;
+  system.evaluate(aside_.configuration, RodSystem::Hessian::exact);
+  system.factorise(-(1.0 - kBeside) * eigenvalue, system.surfaceMetric(), true);
+  for (int twice = 0; twice < 2; ++twice) {
+    NodalField weighted, sharper;
+    system.applyMetric(system.surfaceMetric(), mode_, weighted);
+    system.solve(weighted, sharper);
+    sharper.scale(1.0 / std::sqrt(sharper.dot(sharper)));
+    mode_ = sharper;
+  }
 }
 
 double EigenvalueRate::quotientAt(double step, const HarnessRate& variable, const HarnessChange& change,
@@ -26,6 +39,7 @@ double EigenvalueRate::quotientAt(double step, const HarnessRate& variable, cons
   motion.scale(step);
   aside_.system->move(motion, aside_.configuration);
   aside_.system->evaluate(aside_.configuration, RodSystem::Hessian::exact);
+  aside_.system->carryEnds(mode_);
   const double stiffness = aside_.system->curvatureAlong(mode_);
   NodalField weighted;
   aside_.system->applyMetric(aside_.system->surfaceMetric(), mode_, weighted);

@@ -93,6 +93,8 @@ class RodSystem {
   /// Whether all loads have a potential: no dead moment on a section that turns about more than one axis.
   bool conservative() const;
 
+  /// Sets a motion's columns at the spans' ends to what its unknowns do there, after evaluate().
+  void carryEnds(NodalField& motion) const;
   /// Hessian, on both sides multiplied by a motion; after evaluate() with the exact Hessian, before
   /// factorise().
   double curvatureAlong(const NodalField& motion) const;

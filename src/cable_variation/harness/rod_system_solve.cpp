@@ -384,21 +384,25 @@ void RodSystem::solveCarried(const Eigen::Matrix<double, 6, Eigen::Dynamic>& car
   expand(ends, motion);
 }
 
+void RodSystem::carryEnds(NodalField& motion) const {
+  for (std::size_t i = 0; i < spans_.size(); ++i) {
+    const Vector14d ends = endMotion(i, motion.unknowns);
+    motion.spans[i].leftCols<1>() = ends.head<6>();
+    motion.spans[i].rightCols<1>() = ends.segment<6>(6);
+  }
+}
+
 double RodSystem::curvatureAlong(const NodalField& motion) const {
   double sum = 0.0;
   for (std::size_t i = 0; i < spans_.size(); ++i) {
-    const Vector14d ends = endMotion(i, motion.unknowns);
-    const Eigen::Vector2d slide = ends.tail<2>();
+    const Eigen::Vector2d slide = endMotion(i, motion.unknowns).tail<2>();
     for (std::size_t e = 0; e < spans_[i].elements; ++e) {
       const Element at = elementOf(i, e);
       const Batch& batch = batches_[at.batch];
       double x[kDofs];
       for (int a = 0; a < kNodes; ++a) {
         const auto column = static_cast<Eigen::Index>(3 * e) + a;
-        const bool left = column == 0, right = column + 1 == motion.spans[i].cols();
-        for (int k = 0; k < 6; ++k) {
-          x[kFirstDof[a] + k] = left ? ends[k] : right ? ends[6 + k] : motion.spans[i](k, column);
-        }
+        for (int k = 0; k < 6; ++k) x[kFirstDof[a] + k] = motion.spans[i](k, column);
       }
       for (int row = 0; row < kDofs; ++row) {
         for (int column = 0; column < row; ++column) {

@@ -29,8 +29,7 @@ NodalField deterministicField(const RodSystem& system) {
 
 }  // namespace
 
-double smallestEigenvalue(RodSystem& system, const Configuration& configuration, NodalField* motion,
-                          double accuracy) {
+double smallestEigenvalue(RodSystem& system, const Configuration& configuration, NodalField* motion) {
   constexpr int kSteps = 24;
   const auto bending = system.bendingMetric();
   const auto surface = system.surfaceMetric();
@@ -67,7 +66,7 @@ double smallestEigenvalue(RodSystem& system, const Configuration& configuration,
     const double previous = value;
     value = solver.eigenvalues()[k];
     ritz = solver.eigenvectors().col(k);
-    if (k > 2 && std::abs(value - previous) <= accuracy * std::abs(value)) break;
+    if (k > 2 && std::abs(value - previous) <= 1e-9 * std::abs(value)) break;
     v = w;
     system.applyMetric(surface, v, nv);
     const double norm2 = v.dot(nv);
