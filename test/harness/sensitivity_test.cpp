@@ -108,39 +108,56 @@ struct Field {
   std::vector<double> (*rate)(const EquilibriumRate&);
 };
 
-template <class Visit>
-std::vector<double> flatten(const std::vector<CableShape>& shapes, const Visit& visit) {
-  std::vector<double> values;
-  for (const CableShape& shape : shapes) {
-    for (const ShapePoint& point : shape.points) {
-      const Eigen::Vector3d v = visit(point);
-      values.insert(values.end(), v.data(), v.data() + 3);
-    }
+template <class Each, class Visit>
+void append(const std::vector<Each>& all, const Visit& visit, std::vector<double>& values) {
+  for (const Each& each : all) {
+    const Eigen::Vector3d v = visit(each);
+    values.insert(values.end(), v.data(), v.data() + 3);
   }
+}
+
+template <class Visit>
+std::vector<double> ofPoints(const Equilibrium& equilibrium, const Visit& visit) {
+  std::vector<double> values;
+  for (const CableShape& shape : equilibrium.shapes) append(shape.points, visit, values);
   return values;
 }
 
 template <class Visit>
-std::vector<double> flatten(const std::vector<std::vector<ShapePointRate>>& shapes, const Visit& visit) {
+std::vector<double> ofPoints(const EquilibriumRate& rate, const Visit& visit) {
   std::vector<double> values;
-  for (const auto& shape : shapes) {
-    for (const ShapePointRate& point : shape) {
-      const Eigen::Vector3d v = visit(point);
-      values.insert(values.end(), v.data(), v.data() + 3);
-    }
-  }
+  for (const std::vector<ShapePointRate>& points : rate.shapes) append(points, visit, values);
   return values;
 }
 
-#define SHAPE_FIELD(name, of_point, of_rate)                                                            \
-  {                                                                                                     \
-    name,                                                                                               \
-        [](const Equilibrium& e) {                                                                      \
-          return flatten(e.shapes, [](const ShapePoint& p) -> Eigen::Vector3d { return of_point; });    \
-        },                                                                                              \
-        [](const EquilibriumRate& e) {                                                                  \
-          return flatten(e.shapes, [](const ShapePointRate& p) -> Eigen::Vector3d { return of_rate; }); \
-        }                                                                                               \
+template <class Of, class Visit>
+std::vector<double> ofReactions(const Of& of, const Visit& visit) {
+  std::vector<double> values;
+  append(of.clip_reactions, visit, values);
+  return values;
+}
+
+// The same expression of a point p, or of a clip's reaction r, of an equilibrium and of its rate; where they
+// are called differently, one for each.
+#define SHAPE_FIELD(name, of_point, of_rate)                                                      \
+  {                                                                                               \
+    name,                                                                                         \
+        [](const Equilibrium& e) {                                                                \
+          return ofPoints(e, [](const ShapePoint& p) -> Eigen::Vector3d { return of_point; });    \
+        },                                                                                        \
+        [](const EquilibriumRate& e) {                                                            \
+          return ofPoints(e, [](const ShapePointRate& p) -> Eigen::Vector3d { return of_rate; }); \
+        }                                                                                         \
+  }
+#define REACTION_FIELD(name, of_reaction)                                                              \
+  {                                                                                                    \
+    name,                                                                                              \
+        [](const Equilibrium& e) {                                                                     \
+          return ofReactions(e, [](const Reaction& r) -> Eigen::Vector3d { return of_reaction; });     \
+        },                                                                                             \
+        [](const EquilibriumRate& e) {                                                                 \
+          return ofReactions(e, [](const ReactionRate& r) -> Eigen::Vector3d { return of_reaction; }); \
+        }                                                                                              \
   }
 
 const std::vector<Field>& fields() {
@@ -154,43 +171,9 @@ const std::vector<Field>& fields() {
       SHAPE_FIELD("moment", p.moment, p.moment),
       SHAPE_FIELD("strain", p.strain, p.strain),
       SHAPE_FIELD("curvature", p.curvature, p.curvature),
-      {"clip force",
-       [](const Equilibrium& e) {
-         std::vector<double> values;
-         for (const Reaction& r : e.clip_reactions)
-           values.insert(values.end(), r.force.data(), r.force.data() + 3);
-         return values;
-       },
-       [](const EquilibriumRate& e) {
-         std::vector<double> values;
-         for (const ReactionRate& r : e.clip_reactions)
-           values.insert(values.end(), r.force.data(), r.force.data() + 3);
-         return values;
-       }},
-      {"clip moment",
-       [](const Equilibrium& e) {
-         std::vector<double> values;
-         for (const Reaction& r : e.clip_reactions)
-           values.insert(values.end(), r.moment.data(), r.moment.data() + 3);
-         return values;
-       },
-       [](const EquilibriumRate& e) {
-         std::vector<double> values;
-         for (const ReactionRate& r : e.clip_reactions)
-           values.insert(values.end(), r.moment.data(), r.moment.data() + 3);
-         return values;
-       }},
-      {"clip arc length",
-       [](const Equilibrium& e) {
-         std::vector<double> values;
-         for (const Reaction& r : e.clip_reactions) values.push_back(r.arc_length);
-         return values;
-       },
-       [](const EquilibriumRate& e) {
-         std::vector<double> values;
-         for (const ReactionRate& r : e.clip_reactions) values.push_back(r.arc_length);
-         return values;
-       }},
+      REACTION_FIELD("clip force", r.force),
+      REACTION_FIELD("clip moment", r.moment),
+      REACTION_FIELD("clip arc length", Eigen::Vector3d::Constant(r.arc_length)),
       {"elastic energy", [](const Equilibrium& e) { return std::vector<double>{e.energy.elastic}; },
        [](const EquilibriumRate& e) { return std::vector<double>{e.elastic_energy}; }},
   };
