@@ -11,8 +11,18 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kAccuracy = 1e-9;  // [m] small shifts, of which derivatives are the limits, count too
-constexpr double kNominal = 1e-9;   // [m] shapes closer than that are the nominal one: rounding of a re-solve
+constexpr double kFinest = 1e-9;   // [m]
+constexpr double kNominal = 1e-9;  // [m] shapes closer than that are the nominal one: rounding of a re-solve
+
+// A small shift is found to a share of itself, since derivatives are its limit; nothing is found finer than
+// it needs to be, for that takes long.
+template <class Of>
+Hausdorff foundBy(Of hausdorff, const Centreline& a, const Centreline& b) {
+  constexpr double kAccuracy = 1e-6, kShare = 1e-5;
+  const Hausdorff rough = hausdorff(a, b, kAccuracy);
+  const double accuracy = std::max(kFinest, kShare * rough.distance);
+  return accuracy < kAccuracy ? hausdorff(a, b, accuracy) : rough;
+}
 
 // How fast a place leaves the nominal curve, seen across it.
 double leavingRate(const CableView& view, const Place& place, const Vector3d& shift) {
@@ -44,7 +54,7 @@ double limitOfCurve(const CableView& view, const CableRates& rates, bool surface
     return leavingRate(view, {piece, t}, shifts[piece].position(t)) + std::abs(radius);
   };
   constexpr double kShare = 1e-4;  // of t: the maximum itself is then right to about 1e-8
-  double largest = largestAlong<4>(pieces, leaving, kShare).value;
+  double largest = largestAlong<2>(pieces, leaving, kShare).value;
   for (std::size_t i = 0; i <= pieces; ++i) {
     // two points at one arc length, or an end
     if (i > 0 && i < pieces && view.pieces()[i - 1].point + 1 == view.pieces()[i].point) continue;
@@ -96,7 +106,7 @@ double limitOfSurface(const CableView& view, const CableRates& rates) {
   if (!(fastest > 0.0)) return 0.0;
   constexpr double kShift = 2e-5;  // [m] far above the accuracy of the distance, far below any bend
   const auto quotient = [&](double step) {
-    return surfaceHausdorff(view.line(), shifted(view, rates, step), kAccuracy).distance / step;
+    return surfaceHausdorff(view.line(), shifted(view, rates, step), kFinest).distance / step;
   };
   const double step = kShift / fastest;
   return 2.0 * quotient(0.5 * step) - quotient(step);
@@ -122,8 +132,8 @@ MeasureValue similarityValue(const MeasureContext& context, const Measure& measu
   largest.value = -1.0;
   for (const std::size_t cable : measure.cables) {
     const Centreline& line = context.cables[cable].line();
-    const Hausdorff found = measure.surface ? surfaceHausdorff(line, nominal.at(cable), kAccuracy)
-                                            : curveHausdorff(line, nominal.at(cable), kAccuracy);
+    const Hausdorff found =
+        foundBy(measure.surface ? surfaceHausdorff : curveHausdorff, line, nominal.at(cable));
     if (found.distance <= largest.value) continue;
     const Place& place = found.on_first ? found.place : found.nearest;
     const Place& other = found.on_first ? found.nearest : found.place;
