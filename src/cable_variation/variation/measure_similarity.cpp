@@ -54,7 +54,7 @@ double limitOfCurve(const CableView& view, const CableRates& rates, bool surface
     return leavingRate(view, {piece, t}, shifts[piece].position(t)) + std::abs(radius);
   };
   constexpr double kShare = 1e-4;  // of t: the maximum itself is then right to about 1e-8
-  double largest = largestAlong<2>(pieces, leaving, kShare).value;
+  double largest = largestAlong<4>(pieces, leaving, kShare).value;
   for (std::size_t i = 0; i <= pieces; ++i) {
     // two points at one arc length, or an end
     if (i > 0 && i < pieces && view.pieces()[i - 1].point + 1 == view.pieces()[i].point) continue;
