@@ -12,7 +12,7 @@ h1 { font-size: 1.9em; line-height: 1.2; margin: 0 0 .3em; }
 h2 { font-size: 1.4em; border-bottom: 2px solid #2678b2; padding-bottom: .15em; margin-top: 2em; }
 h3 { font-size: 1.1em; margin: 1.6em 0 .4em; }
 .about { color: #555b66; margin: 0; overflow-wrap: anywhere; }
-table { border-collapse: collapse; margin: .8em 0; font-size: .88em; font-variant-numeric: tabular-nums; }
+table { display: block; max-width: 100%; overflow-x: auto; border-collapse: collapse; margin: .8em 0; font-size: .88em; font-variant-numeric: tabular-nums; }
 caption { text-align: left; color: #555b66; padding-bottom: .3em; }
 th, td { padding: .25em .7em; border-bottom: 1px solid #d5d9e0; text-align: right; vertical-align: bottom; }
 thead th { border-bottom: 2px solid #16181d; }
@@ -25,6 +25,7 @@ figcaption { font-size: .85em; color: #555b66; }
 svg text { font: 12px sans-serif; fill: #16181d; }
 @media print {
   body { font-size: 10pt; margin: 0; max-width: none; padding: 0; }
+  table { overflow-x: visible; font-size: 7pt; }
   h2, h3, caption { break-after: avoid; }
   tr { break-inside: avoid; }
   * { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
