@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include <cable_variation/geometry/closest_cells.h>
 #include <cable_variation/geometry/section_pair.h>
 #include <cable_variation/geometry/tube_section.h>
 
@@ -13,7 +14,6 @@ namespace cable_variation {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kOtherDirection = 0.01;  // between directions that count as two [rad]
 
 struct Cell {
   std::size_t first = 0, second = 0;  // sections
@@ -81,12 +81,7 @@ class Walk {
       }
       if (open[before].squared < open[before + 1].squared) std::swap(open[before], open[before + 1]);
     }
-    cells_.erase(std::remove_if(cells_.begin(), cells_.end(),
-                                [&](const Cell& cell) { return cell.at.value > best_ + margin_; }),
-                 cells_.end());
-    std::sort(cells_.begin(), cells_.end(),
-              [](const Cell& a, const Cell& b) { return a.at.value < b.at.value; });
-    return std::move(cells_);
+    return closestFirst(std::move(cells_), best_ + margin_);
   }
 
  private:

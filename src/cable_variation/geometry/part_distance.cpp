@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include <cable_variation/geometry/closest_cells.h>
 #include <cable_variation/geometry/depth.h>
 #include <cable_variation/geometry/distance_part.h>
 #include <cable_variation/geometry/section_minimum.h>
@@ -16,8 +17,7 @@ namespace {
 using Part = DistancePart::Impl;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kTouching = 2e-9;        // the centreline meets the surface: twice a minimum's error [m]
-constexpr double kOtherDirection = 0.01;  // between directions that count as two [rad]
+constexpr double kTouching = 2e-9;  // the centreline meets the surface: twice a minimum's error [m]
 
 // A section's closest place to a triangle of the tree.
 struct Cell {
@@ -73,12 +73,7 @@ class Walk {
       }
       if (open[before].squared < open[before + 1].squared) std::swap(open[before], open[before + 1]);
     }
-    cells_.erase(std::remove_if(cells_.begin(), cells_.end(),
-                                [&](const Cell& cell) { return cell.at.value > best_ + margin_; }),
-                 cells_.end());
-    std::sort(cells_.begin(), cells_.end(),
-              [](const Cell& a, const Cell& b) { return a.at.value < b.at.value; });
-    return std::move(cells_);
+    return closestFirst(std::move(cells_), best_ + margin_);
   }
 
  private:
