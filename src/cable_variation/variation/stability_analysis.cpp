@@ -174,7 +174,7 @@ class Analysis {
       EquilibriumSolver aside = solver_;
       const Equilibrium found = aside.update(harness);
       if (found.converged()) {
-        measured = evaluator.evaluate({harness, found, components}, result_.measures);
+        measured = evaluator.evaluate({harness, found, components}, result_.measures, &result_.values);
         eigenvalue = found.smallest_eigenvalue;
         warnOfSnap(found, column, deviation, limit);
       } else {
