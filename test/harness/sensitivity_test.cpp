@@ -180,35 +180,46 @@ const std::vector<Field>& fields() {
   return all;
 }
 
-class Sensitivity : public testing::TestWithParam<NamedHarness> {};
+class Sensitivity : public testing::TestWithParam<NamedHarness> {
+ protected:
+  void SetUp() override {
+    nominal_ = solver_.solve(harness_);
+    ASSERT_TRUE(nominal_.converged()) << nominal_.message;
+    for (const NamedRate& variable : variables_) rates_.push_back(variable.rate);
+  }
 
-TEST_P(Sensitivity, IsTheSlopeOfResolvedEquilibria) {
   // An accuracy of a metre: the grid stays the one it starts with, so that differences see one discrete
   // system.
-  EquilibriumOptions options;
-  options.accuracy = 1.0;
-  const Harness& harness = GetParam().harness;
-  EquilibriumSolver solver(options);
-  const Equilibrium nominal = solver.solve(harness);
-  ASSERT_TRUE(nominal.converged()) << nominal.message;
-  const std::vector<NamedRate> variables = ratesFor(harness);
-  std::vector<HarnessRate> rates;
-  for (const NamedRate& variable : variables) rates.push_back(variable.rate);
-  const std::vector<EquilibriumRate> derivatives = solver.differentiate(rates);
-  ASSERT_EQ(derivatives.size(), variables.size());
+  static EquilibriumOptions onOneGrid() {
+    EquilibriumOptions options;
+    options.accuracy = 1.0;
+    return options;
+  }
 
-  for (std::size_t v = 0; v < variables.size(); ++v) {
-    SCOPED_TRACE(variables[v].name);
-    const auto at = [&](double step) {
-      EquilibriumSolver aside = solver;
-      return aside.update(changed(harness, variables[v].rate, step));
-    };
+  Equilibrium solvedAt(std::size_t variable, double step) const {
+    return EquilibriumSolver(solver_).update(changed(harness_, rates_[variable], step));
+  }
+
+  const Harness& harness_ = GetParam().harness;
+  const std::vector<NamedRate> variables_ = ratesFor(harness_);
+  std::vector<HarnessRate> rates_;
+  EquilibriumSolver solver_{onOneGrid()};
+  Equilibrium nominal_;
+};
+
+TEST_P(Sensitivity, IsTheSlopeOfResolvedEquilibria) {
+  const std::vector<EquilibriumRate> derivatives = solver_.differentiate(rates_);
+  ASSERT_EQ(derivatives.size(), variables_.size());
+
+  for (std::size_t v = 0; v < variables_.size(); ++v) {
+    SCOPED_TRACE(variables_[v].name);
+    const auto at = [&](double step) { return solvedAt(v, step); };
     constexpr double kStep = 2.5e-4;
     const Equilibrium ahead = at(kStep), back = at(-kStep), far_ahead = at(2 * kStep),
                       far_back = at(-2 * kStep);
     ASSERT_TRUE(ahead.converged() && back.converged() && far_ahead.converged() && far_back.converged());
     for (const Field& field : fields()) {
-      const std::vector<double> here = field.of(nominal), a = field.of(ahead), b = field.of(back),
+      const std::vector<double> here = field.of(nominal_), a = field.of(ahead), b = field.of(back),
                                 c = field.of(far_ahead), d = field.of(far_back);
       const std::vector<double> rate = field.rate(derivatives[v]);
       ASSERT_EQ(rate.size(), here.size());
@@ -228,25 +239,14 @@ TEST_P(Sensitivity, IsTheSlopeOfResolvedEquilibria) {
 }
 
 TEST_P(Sensitivity, OfTheSmallestEigenvalueIsItsSlope) {
-  EquilibriumOptions options;
-  options.accuracy = 1.0;
-  const Harness& harness = GetParam().harness;
-  EquilibriumSolver solver(options);
-  const Equilibrium nominal = solver.solve(harness);
-  ASSERT_TRUE(nominal.converged()) << nominal.message;
-  const std::vector<NamedRate> variables = ratesFor(harness);
-  std::vector<HarnessRate> rates;
-  for (const NamedRate& variable : variables) rates.push_back(variable.rate);
-  const std::vector<double> derivatives = solver.eigenvalueRates(rates);
-  for (std::size_t v = 0; v < variables.size(); ++v) {
-    const auto at = [&](double step) {
-      return EquilibriumSolver(solver).update(changed(harness, variables[v].rate, step)).smallest_eigenvalue;
-    };
+  const std::vector<double> derivatives = solver_.eigenvalueRates(rates_);
+  for (std::size_t v = 0; v < variables_.size(); ++v) {
+    const auto at = [&](double step) { return solvedAt(v, step).smallest_eigenvalue; };
     constexpr double kStep = 5e-4;
     const double slope = (8.0 * (at(kStep) - at(-kStep)) - (at(2 * kStep) - at(-2 * kStep))) / (12.0 * kStep);
     // eigenvalues are found to 1e-9 of themselves, here over the step
-    EXPECT_NEAR(derivatives[v], slope, 2e-6 * std::abs(slope) + 2e-5 * nominal.smallest_eigenvalue)
-        << variables[v].name << ", eigenvalue " << nominal.smallest_eigenvalue;
+    EXPECT_NEAR(derivatives[v], slope, 2e-6 * std::abs(slope) + 2e-5 * nominal_.smallest_eigenvalue)
+        << variables_[v].name << ", eigenvalue " << nominal_.smallest_eigenvalue;
   }
 }
 
