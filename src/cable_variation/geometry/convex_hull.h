@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <cable_variation/geometry/triangle_mesh.h>
+
+namespace cable_variation {
+
+/// The convex hull of points. Immutable; may be shared by threads.
+class ConvexHull {
+ public:
+  /// Points that lie in a plane, on a line or on each other get a body by added vertices 1e-6 m off their
+  /// middle. Throws std::invalid_argument: no points, or one that is not finite.
+  explicit ConvexHull(const std::vector<Eigen::Vector3d>& points);
+
+  /// Outward facets over the hull's vertices only [m].
+  const TriangleMesh& surface() const { return surface_; }
+  /// Per vertex: the point it comes from, by index; kAdded: none, it gives a flat hull a body.
+  const std::vector<std::size_t>& sources() const { return sources_; }
+  static constexpr std::size_t kAdded = static_cast<std::size_t>(-1);
+  /// Per triangle: unit outward normal and offset, so that normal · x <= offset inside.
+  const Eigen::Matrix<double, 4, Eigen::Dynamic>& planes() const { return planes_; }
+
+  /// The largest of normal · point - offset [m]: inside and above a facet's inner part the signed distance
+  /// itself, elsewhere less than the distance.
+  double height(const Eigen::Vector3d& point) const;
+
+  /// The signed distance [m], and the closest point of the surface.
+  struct Closest {
+    double distance = 0.0;  ///< negative inside
+    Eigen::Vector3d point = Eigen::Vector3d::Zero();
+    std::size_t triangle = 0;
+  };
+  Closest closest(const Eigen::Vector3d& point) const;
+
+  double volume() const;  ///< [m³]
+
+ private:
+  TriangleMesh surface_;
+  std::vector<std::size_t> sources_;
+  Eigen::Matrix<double, 4, Eigen::Dynamic> planes_;
+};
+
+/// A convex body: all that is within `radius` of the hull.
+struct RoundedHull {
+  ConvexHull core;
+  double radius = 0.0;  ///< [m]
+};
+
+}  // namespace cable_variation

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <cable_variation/harness/equilibrium.h>
+#include <cable_variation/scene/scene.h>
+#include <cable_variation/variation/envelope.h>
+
+namespace cable_variation {
+
+struct EnvelopeOptions {
+  std::vector<std::size_t> cables;     ///< indices; empty: all
+  std::vector<std::size_t> variables;  ///< indices; may be empty with a motion only
+  std::vector<std::size_t> motions;    ///< indices into Scene::motions, played together; empty: at rest
+  double from = 0.0;                   ///< of the motions [s]
+  double to = -1.0;                    ///< likewise; negative: the end of the longest
+  DesignValues values;                 ///< the design: nominal values other than the scene's
+  ComponentPoses moved;                ///< at rest: components that are not where the scene has them
+  std::vector<std::string> frames;     ///< components to see the envelope from, beside the world
+  double margin = 1e-4;                ///< protrusion to stay below before inflation [m]
+  bool conservative = true;            ///< inflate until nothing sticks out
+  std::size_t verification = 2000;     ///< independent random shapes for containment
+  std::size_t tightness = 0;           ///< shapes for tightness; 0: not computed
+  double voxel = 0.0;                  ///< for tightness [m]; 0: a sixth of the thinnest cable's radius
+  std::size_t largest_solves = 200000;
+  std::uint64_t seed = 1;   ///< of the random shapes
+  std::size_t threads = 0;  ///< 0: as many as there are cores
+};
+
+struct EnvelopeProgress {
+  const char* stage = "";  ///< for a person: "shapes", "containment", "tightness"
+  double share = 0.0;      ///< of the whole, 0 to 1
+  std::size_t solves = 0;
+  double time = 0.0;  ///< of the motion, reached [s]
+};
+
+/// Asked now and then, from one thread at a time; false: stop.
+using EnvelopeObserver = std::function<bool(const EnvelopeProgress&)>;
+
+/// Thrown when the observer asked to stop.
+struct Cancelled : std::exception {
+  const char* what() const noexcept override { return "cancelled"; }
+};
+
+/// Throws std::invalid_argument: nothing varies, an index out of range, a motion that is empty, margins or
+/// counts that are none; std::runtime_error: no equilibrium at the design itself; Cancelled.
+/// @param solver the design's shape to follow, best solved; else it is solved from nothing
+Envelope generateEnvelope(const Scene& scene, const EnvelopeOptions& options, const EquilibriumSolver& solver,
+                          const EnvelopeObserver& observer = {});
+
+/// A harness of the design within its tolerances, solved again: what an EnvelopeSample stands for.
+struct SolvedSample {
+  Harness harness;
+  Equilibrium equilibrium;
+  ComponentPoses components;  ///< of all, world
+};
+SolvedSample solveSample(const Scene& scene, const EnvelopeOptions& options, const Envelope& envelope,
+                         const EnvelopeSample& sample, const EquilibriumSolver& solver);
+
+}  // namespace cable_variation
