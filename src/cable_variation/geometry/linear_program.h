@@ -15,9 +15,9 @@ using HalfSpaces = Eigen::Matrix<double, D + 1, Eigen::Dynamic>;
 
 /// The point of half-spaces and the box |x_i| <= `box` at which c·x is smallest. For a few unknowns of size
 /// about 1 and rows of length about 1: R. Seidel, Small-dimensional linear programming and convex hulls made
-/// easy, 1991: the half-spaces are taken one after another, in an order mixed up but always the same; one that
-/// the point violates holds with equality, and an unknown less is left. Half-spaces that leave
-/// nothing, by rounding or truly, are violated by as little as possible: the caller sees it at the point.
+/// easy, 1991: the half-spaces are taken one after another, in an order mixed up but always the same; one
+/// that the point violates holds with equality, and an unknown less is left. Half-spaces that leave nothing,
+/// by rounding or truly, are violated by as little as possible: the caller sees it at the point.
 template <int D>
 Eigen::Matrix<double, D, 1> linearProgram(const Eigen::Matrix<double, D, 1>& c, const HalfSpaces<D>& rows,
                                           double box) {
@@ -51,7 +51,7 @@ Eigen::Matrix<double, D, 1> linearProgram(const Eigen::Matrix<double, D, 1>& c, 
       // x_out = row[D] / row[out] - sum of share_k x_k over the other unknowns
       const auto without = [&](const auto& column) {
         Eigen::Matrix<double, D - 1, 1> rest;
-        rest << column.head(out), column.segment(out + 1, D - 1 - out);
+        for (Eigen::Index k = 0; k < D - 1; ++k) rest[k] = column[k < out ? k : k + 1];
         return rest;
       };
       const Eigen::Matrix<double, D - 1, 1> share = without(row) / row[out];
@@ -66,8 +66,7 @@ Eigen::Matrix<double, D, 1> linearProgram(const Eigen::Matrix<double, D, 1>& c, 
       left.col(static_cast<Eigen::Index>(i) + 1) << share, box + level;
       const Eigen::Matrix<double, D - 1, 1> rest =
           linearProgram<D - 1>(without(c) - c[out] * share, left, box);
-      x.head(out) = rest.head(out);
-      x.segment(out + 1, D - 1 - out) = rest.segment(out, D - 1 - out);
+      for (Eigen::Index k = 0; k < D - 1; ++k) x[k < out ? k : k + 1] = rest[k];
       x[out] = level - share.dot(rest);
     }
     return x;

@@ -47,9 +47,8 @@ PlacedBody::Height PlacedBody::height(const Vector3d& point) const {
 
 double PlacedBody::lowestPossible(const Box& box) const {
   const Eigen::Array3d half = 0.5 * (box.high - box.low);
-  return (heights(planes_, (0.5 * (box.low + box.high)).matrix()) -
-          half.x() * planes_.row(0).array().abs() - half.y() * planes_.row(1).array().abs() -
-          half.z() * planes_.row(2).array().abs())
+  return (heights(planes_, (0.5 * (box.low + box.high)).matrix()) - half.x() * planes_.row(0).array().abs() -
+          half.y() * planes_.row(1).array().abs() - half.z() * planes_.row(2).array().abs())
       .maxCoeff();
 }
 
@@ -96,8 +95,8 @@ PlacedBody::Height PlacedBody::lowest(const PlacedBody& other) const {
   return height(other.centre_ + size * found.head<3>());
 }
 
-const TriangleTree& PlacedBody::facets() {
-  if (!facets_) facets_.emplace(core_);
+const TriangleTree& PlacedBody::facets() const {
+  std::call_once(made_, [&] { facets_.emplace(core_); });
   return *facets_;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <array>
+#include <mutex>
 #include <optional>
 
 #include <cable_variation/geometry/box.h>
@@ -11,7 +11,7 @@
 
 namespace cable_variation {
 
-/// A rounded hull in another frame, made ready for depths below its core's facets.
+/// A rounded hull in another frame, made ready for depths below its core's facets. May be shared by threads.
 class PlacedBody {
  public:
   /// @param pose of the frame that the body is given in
@@ -41,8 +41,9 @@ class PlacedBody {
   /// The point of another body's core whose height is smallest, likewise.
   Height lowest(const PlacedBody& other) const;
 
-  /// Facets of the core below boxes. Not cheap: made when first asked for, by one thread.
-  const TriangleTree& facets();
+  double reach() const { return reach_; }  ///< of the core from its centre [m]
+  /// Facets of the core below boxes. Not cheap: made when first asked for.
+  const TriangleTree& facets() const;
 
  private:
   TriangleMesh core_;
@@ -50,8 +51,9 @@ class PlacedBody {
   double radius_;
   Eigen::Vector3d centre_;
   Box box_;
-  double reach_ = 0.0;  // of the core from its centre [m]
-  std::optional<TriangleTree> facets_;
+  double reach_ = 0.0;
+  mutable std::once_flag made_;
+  mutable std::optional<TriangleTree> facets_;
 };
 
 /// A point within the core: the mean of its vertices.
