@@ -1,9 +1,18 @@
 #include <cable_variation/geometry/body_union.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace cable_variation {
+namespace {
+
+// Bodies are left out of what they cannot decide by more than rounding: so it never matters which were.
+constexpr double kRounding = 1e-12;  // [m]
+// Closer to a core, the way to it is not sure of its direction; a facet's plane is.
+constexpr double kNoDirection = 1e-9;  // [m]
+
+}  // namespace
 
 std::vector<BodyUnion::Near> BodyUnion::all() const {
   std::vector<Near> near(bodies_.size());
@@ -18,34 +27,68 @@ double BodyUnion::bodyValue(std::size_t body, const Eigen::Vector3d& point, doub
   return core.closest(point).distance - radii_[body];
 }
 
-std::vector<BodyUnion::Near> BodyUnion::closestAbout(const Eigen::Vector3d& middle, double reach,
-                                                     const std::vector<Near>& given) const {
+BodyUnion::Near BodyUnion::seenFrom(const Eigen::Vector3d& middle, std::size_t body) const {
+  const ConvexHull& core = bodies_[body]->core;
+  const ConvexHull::Closest closest = core.closest(middle);
+  Near near;
+  near.body = body;
+  near.value = closest.distance - radii_[body];
+  if (closest.distance > kNoDirection) {
+    near.gradient = (middle - closest.point) / closest.distance;
+  } else {
+    const auto plane = core.planes().col(static_cast<Eigen::Index>(closest.triangle));
+    near.gradient = plane.head<3>();
+    near.value = near.gradient.dot(middle) - plane[3] - radii_[body];
+  }
+  return near;
+}
+
+std::vector<BodyUnion::Near> BodyUnion::closestIn(const Eigen::Vector3d& middle, double half_edge,
+                                                  const std::vector<Near>& given) const {
   // The closest one at the middle can be overtaken by those that are no more than twice the reach further.
+  const double reach = std::sqrt(3.0) * half_edge;
   double smallest = std::numeric_limits<double>::infinity();
   std::vector<Near> near;
   near.reserve(given.size());
   for (const Near& candidate : given) {
-    const double bound = smallest + 2.0 * reach;
-    const double value = bodyValue(candidate.body, middle, bound);
-    if (value > bound) continue;
-    near.push_back({candidate.body, value});
-    smallest = std::min(smallest, value);
+    const double bound = smallest + 2.0 * reach + kRounding;
+    if (bodies_[candidate.body]->core.height(middle) - radii_[candidate.body] > bound) continue;
+    near.push_back(seenFrom(middle, candidate.body));
+    smallest = std::min(smallest, near.back().value);
   }
-  near.erase(std::remove_if(near.begin(), near.end(),
-                            [&](const Near& body) { return body.value > smallest + 2.0 * reach; }),
-             near.end());
   std::sort(near.begin(), near.end(), [](const Near& a, const Near& b) {
     return a.value != b.value ? a.value < b.value : a.body < b.body;
   });
+
+  // What is above the first one in all corners, by its tangent, is above it everywhere in between, where the
+  // first one is below its own interpolation.
+  std::array<Eigen::Vector3d, 8> corners;
+  std::array<double, 8> first;
+  for (std::size_t i = 0; i < 8; ++i) {
+    corners[i] = half_edge * Eigen::Vector3d(i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0);
+    first[i] = bodyValue(near.front().body, middle + corners[i], std::numeric_limits<double>::infinity());
+  }
+  near.erase(std::remove_if(near.begin() + 1, near.end(),
+                            [&](const Near& body) {
+                              for (std::size_t i = 0; i < 8; ++i) {
+                                if (body.lowerBound(corners[i]) <= first[i] + kRounding) return false;
+                              }
+                              return true;
+                            }),
+             near.end());
   return near;
 }
 
-double BodyUnion::value(const Eigen::Vector3d& point, double from_middle,
+double BodyUnion::value(const Eigen::Vector3d& point, const Eigen::Vector3d& middle,
                         const std::vector<Near>& near) const {
-  double smallest = std::numeric_limits<double>::infinity();
-  for (const Near& body : near) {
-    if (body.value - from_middle >= smallest) break;
-    smallest = std::min(smallest, bodyValue(body.body, point, smallest));
+  const Eigen::Vector3d from_middle = point - middle;
+  const auto lowest = std::min_element(near.begin(), near.end(), [&](const Near& a, const Near& b) {
+    return a.lowerBound(from_middle) < b.lowerBound(from_middle);
+  });
+  double smallest = bodyValue(lowest->body, point, std::numeric_limits<double>::infinity());
+  for (auto body = near.begin(); body != near.end(); ++body) {
+    if (body == lowest || body->lowerBound(from_middle) >= smallest + kRounding) continue;
+    smallest = std::min(smallest, bodyValue(body->body, point, smallest));
   }
   return smallest;
 }

@@ -7,13 +7,17 @@
 
 namespace cable_variation {
 
-/// The smallest of the distances from a point to some of several bodies, each with its own radius.
+/// The smallest of the signed distances from a point to some of several bodies, each with its own radius.
+/// Distances to convex bodies are convex: tangents at one place bound them from below everywhere.
 class BodyUnion {
  public:
-  /// A body, and its value in the middle of a region.
+  /// A body as seen from the middle of a cube.
   struct Near {
     std::size_t body = 0;
-    double value = 0.0;  ///< [m]; or more than some bound
+    double value = 0.0;  ///< signed distance [m]
+    Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
+
+    double lowerBound(const Eigen::Vector3d& from_middle) const { return value + gradient.dot(from_middle); }
   };
 
   BodyUnion(const std::vector<const RoundedHull*>& bodies, std::vector<double> radii)
@@ -21,19 +25,20 @@ class BodyUnion {
 
   std::vector<Near> all() const;
 
-  /// Of those given, the bodies that can be the closest one of some point within `reach` [m] of `middle`, the
-  /// closest to the middle first.
-  std::vector<Near> closestAbout(const Eigen::Vector3d& middle, double reach,
-                                 const std::vector<Near>& given) const;
+  /// Of those given, the bodies that can be the closest one of some point of a cube, the closest to its
+  /// middle first. At least one.
+  std::vector<Near> closestIn(const Eigen::Vector3d& middle, double half_edge,
+                              const std::vector<Near>& given) const;
 
-  /// Signed distance of the union [m]: exact where one of `near` is the closest body; inside of bodies that
-  /// overlap, minus the largest of their depths.
-  /// @param from_middle distance of the point from the middle that `near` belongs to [m]
-  double value(const Eigen::Vector3d& point, double from_middle, const std::vector<Near>& near) const;
+  /// The union's signed distance [m], to the last digit the same for all `near` that have the closest body;
+  /// inside of bodies that overlap, minus the largest of their depths.
+  double value(const Eigen::Vector3d& point, const Eigen::Vector3d& middle,
+               const std::vector<Near>& near) const;
 
  private:
   /// The body's signed distance [m] if below `bound`; else something that is not.
   double bodyValue(std::size_t body, const Eigen::Vector3d& point, double bound) const;
+  Near seenFrom(const Eigen::Vector3d& middle, std::size_t body) const;
 
   const std::vector<const RoundedHull*>& bodies_;
   std::vector<double> radii_;

@@ -62,7 +62,7 @@ class Contourer {
       parts[i] = cable_variation::contour(block(blocks[i]), origin_, cell_);
       const Eigen::Vector3d middle = middleOf(blocks[i]);
       for (const Eigen::Vector3d& vertex : parts[i].vertices) {
-        excess[i] = std::max(excess[i], union_.value(vertex, (vertex - middle).norm(), blocks[i].near));
+        excess[i] = std::max(excess[i], union_.value(vertex, middle, blocks[i].near));
       }
     });
     return {joined(parts), excess.empty() ? 0.0 : *std::max_element(excess.begin(), excess.end())};
@@ -86,9 +86,9 @@ class Contourer {
 
   // Whether the surface can pass through; finds the region's bodies among those given.
   bool meetsSurface(Region& region, const std::vector<BodyUnion::Near>& given) const {
-    const double reach = kHalfDiagonal * cell_ * static_cast<double>(region.size);
-    region.near = inflated_.closestAbout(middleOf(region), reach, given);
-    return std::abs(region.near.front().value) <= reach + kOffCorner * cell_;
+    const double edge = cell_ * static_cast<double>(region.size);
+    region.near = inflated_.closestIn(middleOf(region), 0.5 * edge, given);
+    return std::abs(region.near.front().value) <= kHalfDiagonal * edge + kOffCorner * cell_;
   }
 
   // All of a block's size that the surface passes through, by halving.
@@ -139,7 +139,7 @@ class Contourer {
               origin_ + cell_ * Eigen::Vector3d(static_cast<double>(region.first[0] + x),
                                                 static_cast<double>(region.first[1] + y),
                                                 static_cast<double>(region.first[2] + z));
-          double value = inflated_.value(point, (point - middle).norm(), region.near);
+          double value = inflated_.value(point, middle, region.near);
           // Off the surface, to the inside: vertices then keep apart, and the surface can only grow.
           if (std::abs(value) < kOffCorner * cell_) value = -kOffCorner * cell_;
           block.values[GridBlock::at(x, y, z)] = value;
