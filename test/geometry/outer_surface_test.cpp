@@ -133,7 +133,7 @@ TEST(OuterSurface, ofACapsuleAndABox) {
                             kPi * r * r * (0.05 + 0.03 + 0.04) + 4.0 / 3.0 * kPi * r * r * r;
   for (const auto& [bodies, volume] : {std::pair(slanted, capsule_volume), std::pair(rounded, box_volume)}) {
     OuterSurfaceOptions options;
-    options.excess = 5e-5;
+    options.excess = 1e-4;
     const OuterSurface surface = outerSurface(pointers(bodies), options);
     EXPECT_EQ(surfaceFault(surface.mesh), "");
     EXPECT_EQ(eulerCharacteristic(surface.mesh), 2);

@@ -27,7 +27,7 @@ std::size_t furthest(const std::vector<Eigen::Vector3d>& points, const Eigen::Ve
 
 // What must be added to points for their hull to have a volume.
 std::vector<Eigen::Vector3d> bodyFor(const std::vector<Eigen::Vector3d>& points) {
-  const Eigen::Vector3d first = points[furthest(points, points.front())];
+  const Eigen::Vector3d& first = points[furthest(points, points.front())];
   const Eigen::Vector3d along = points[furthest(points, first)] - first;
   const double extent = along.norm();
   const double aside = std::max(kAside, kAsideShare * extent);

@@ -27,7 +27,8 @@ struct GridBlock {
   std::array<double, kPoints * kPoints * kPoints> values;  ///< at corners of cubes, x fastest
 
   static std::size_t at(int x, int y, int z) {
-    return static_cast<std::size_t>((z * kPoints + y) * kPoints + x);
+    const auto size = [](int value) { return static_cast<std::size_t>(value); };
+    return (size(z) * kPoints + size(y)) * kPoints + size(x);
   }
 };
 
