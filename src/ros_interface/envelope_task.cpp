@@ -5,17 +5,14 @@
 #include <numeric>
 #include <set>
 #include <sstream>
-#include <variant>
 
-#include <cable_variation/scene/moving_components.h>
+#include <cable_variation/variation/envelope_clearance.h>
 #include <ros_interface/design_values.h>
 #include <ros_interface/name_lookup.h>
 #include <ros_interface/output_directory.h>
 
 namespace cable_variation_ros {
 
-using cable_variation::Component;
-using cable_variation::DesignVariable;
 using cable_variation::EnvelopeOptions;
 using cable_variation::GenerateEnvelopeRequest;
 using cable_variation::Motion;
@@ -103,41 +100,6 @@ void readTimes(const GenerateEnvelopeRequest& request, const Scene& scene, Envel
   }
 }
 
-std::optional<std::size_t> componentOf(const DesignVariable& variable) {
-  using namespace cable_variation;
-  if (const auto* translation = std::get_if<ComponentTranslation>(&variable.target))
-    return translation->component;
-  if (const auto* rotation = std::get_if<ComponentRotation>(&variable.target)) return rotation->component;
-  if (const auto* locator = std::get_if<LocatorDeviation>(&variable.target)) return locator->component;
-  return std::nullopt;
-}
-
-/// Components with a shape that move or vary, or ride on what does.
-std::vector<std::string> framesOf(const Scene& scene, const EnvelopeOptions& options) {
-  std::set<std::string> movers;
-  for (const std::size_t index : options.motions) movers.insert(scene.motions[index].component);
-  for (const std::size_t index : options.variables) {
-    const auto component = componentOf(scene.design_variables[index]);
-    if (component) movers.insert(scene.components[*component].name);
-  }
-  const auto rides = [&](const Component& component) {
-    const Component* at = &component;
-    for (std::size_t steps = 0; steps <= scene.components.size(); ++steps) {
-      if (movers.count(at->name) != 0) return true;
-      const auto parent = std::find_if(scene.components.begin(), scene.components.end(),
-                                       [&](const Component& each) { return each.name == at->parent; });
-      if (parent == scene.components.end()) return false;
-      at = &*parent;
-    }
-    return false;
-  };
-  std::vector<std::string> frames;
-  for (const Component& component : scene.components) {
-    if (!component.visuals.empty() && rides(component)) frames.push_back(component.name);
-  }
-  return frames;
-}
-
 }  // namespace
 
 EnvelopeTask toEnvelopeTask(const GenerateEnvelopeRequest& request, const cable_variation::Design& design,
@@ -154,7 +116,7 @@ EnvelopeTask toEnvelopeTask(const GenerateEnvelopeRequest& request, const cable_
   task.other_design = !options.values.empty();
   options.values.insert(design.shifted.begin(), design.shifted.end());
   if (options.motions.empty()) options.moved = moved;
-  options.frames = framesOf(scene, options);
+  options.frames = clearanceFrames(scene, options);
   options.margin = lengthOr(defaults.margin, request.margin, "margin");
   options.conservative = !request.non_conservative;
   options.verification = shapesOr(defaults.verification, request.verification_shapes, "verification_shapes");

@@ -88,6 +88,11 @@ void SolverContext::move(const ComponentPoses& moved) {
   notify();
 }
 
+SolverContext::Snapshot SolverContext::snapshot() const {
+  return {design_, moved_, solver_, evaluator_ ? evaluator_->parts() : cable_variation::ComponentParts(),
+          design_number_};
+}
+
 SolverContext::Trial SolverContext::solve(const DesignValues& values, const ComponentPoses& moved,
                                           bool follow) const {
   Trial trial;

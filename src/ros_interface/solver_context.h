@@ -29,9 +29,10 @@ class SolverContext {
     cable_variation::Design design;
     cable_variation::ComponentPoses moved;
     cable_variation::EquilibriumSolver solver;  ///< follows the shape in force, if there is one
+    cable_variation::ComponentParts parts;      ///< as far as they have been prepared
     std::size_t design_number = 0;
   };
-  Snapshot snapshot() const { return {design_, moved_, solver_, design_number_}; }
+  Snapshot snapshot() const;
 
   /// Called whenever the harness or its shape has changed.
   void onChange(std::function<void()> callback) { changed_ = std::move(callback); }
