@@ -29,6 +29,9 @@ class ConvexHull {
   using Planes = Eigen::Matrix<double, 4, Eigen::Dynamic, Eigen::RowMajor>;
   const Planes& planes() const { return planes_; }
 
+  /// Per triangle: those across the edges from each corner to the next.
+  const std::vector<std::array<std::uint32_t, 3>>& neighbours() const { return neighbours_; }
+
   /// The largest of normal · point - offset [m]: inside and above a facet's inner part the signed distance
   /// itself, elsewhere less than the distance.
   double height(const Eigen::Vector3d& point) const;
@@ -52,7 +55,7 @@ class ConvexHull {
   TriangleMesh surface_;
   std::vector<std::size_t> sources_;
   Planes planes_;
-  std::vector<std::array<std::uint32_t, 3>> neighbours_;  ///< across the edge from corner i to the next
+  std::vector<std::array<std::uint32_t, 3>> neighbours_;
 };
 
 /// A convex body: all that is within `radius` of the hull.

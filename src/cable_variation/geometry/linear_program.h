@@ -59,11 +59,15 @@ Eigen::Matrix<double, D, 1> linearProgram(const Eigen::Matrix<double, D, 1>& c, 
       HalfSpaces<D - 1> left(D, static_cast<Eigen::Index>(i) + 2);
       for (std::size_t k = 0; k < i; ++k) {
         const auto other = rows.col(order[k]);
-        left.col(static_cast<Eigen::Index>(k)) << without(other) - other[out] * share,
-            other[D] - other[out] * level;
+        auto to = left.col(static_cast<Eigen::Index>(k));
+        to.template head<D - 1>() = without(other) - other[out] * share;
+        to[D - 1] = other[D] - other[out] * level;
       }
-      left.col(static_cast<Eigen::Index>(i)) << -share, box - level;
-      left.col(static_cast<Eigen::Index>(i) + 1) << share, box + level;
+      auto low = left.col(static_cast<Eigen::Index>(i)), high = left.col(static_cast<Eigen::Index>(i) + 1);
+      low.template head<D - 1>() = -share;
+      low[D - 1] = box - level;
+      high.template head<D - 1>() = share;
+      high[D - 1] = box + level;
       const Eigen::Matrix<double, D - 1, 1> rest =
           linearProgram<D - 1>(without(c) - c[out] * share, left, box);
       for (Eigen::Index k = 0; k < D - 1; ++k) x[k < out ? k : k + 1] = rest[k];

@@ -64,9 +64,9 @@ double ContainmentCheck::ownProtrusion(const PhaseSearch& phase, std::size_t fra
   double least = std::numeric_limits<double>::infinity();
   for (const PhaseSearch::Branch& branch : phase.branches()) {
     const ConvexHull& hull = branch.hulls[frame][stretch].hull();
-    const double height = hull.height(point) + extra;
-    if (height >= least) continue;
-    least = std::min(least, height <= 0.0 ? height : hull.closest(point).distance + extra);
+    const double height = hull.height(point);
+    if (height + extra >= least) continue;
+    least = std::min(least, extra + (height <= 0.0 ? height : hull.closest(point).distance));
     if (least <= known) break;
   }
   return least;

@@ -9,7 +9,8 @@ namespace cable_variation {
 namespace {
 
 constexpr std::size_t kShapesPerRound = 64;
-constexpr int kSteps = 32;  // that deviations are told apart by, over a tolerance
+constexpr double kSharp = 0.87;  // cosine between the normals of facets that meet at a sharp edge: 30 degrees
+constexpr int kSteps = 32;       // that deviations are told apart by, over a tolerance
 
 // The faces, edges and corners of a cube.
 std::vector<Eigen::Vector3d> firstDirections() {
@@ -164,8 +165,18 @@ std::vector<PhaseSearch::Push> PhaseSearch::pushes() const {
     const auto& triangles = hull.surface().triangles;
     for (std::size_t triangle = 0; triangle < triangles.size(); ++triangle) {
       const Eigen::Vector3d outward = hull.planes().col(static_cast<Eigen::Index>(triangle)).head<3>();
-      for (const std::uint32_t corner : triangles[triangle]) {
-        considerPush(growing.tags()[corner], frame, stretch, outward, scratch, found[index]);
+      for (std::size_t side = 0; side < 3; ++side) {
+        const GrowingHull::Tag& tag = growing.tags()[triangles[triangle][side]];
+        considerPush(tag, frame, stretch, outward, scratch, found[index]);
+        // beyond a sharp edge lies what no facet faces; of a flat hull, all that is in its plane
+        const std::size_t across = hull.neighbours()[triangle][side];
+        if (across < triangle) continue;
+        const Eigen::Vector3d other = hull.planes().col(static_cast<Eigen::Index>(across)).head<3>();
+        if (outward.dot(other) > kSharp) continue;
+        const Eigen::Vector3d between = (outward + other).normalized();
+        considerPush(tag, frame, stretch, between, scratch, found[index]);
+        considerPush(growing.tags()[triangles[triangle][(side + 1) % 3]], frame, stretch, between, scratch,
+                     found[index]);
       }
     }
     if (samples_.size() > 1) return;
