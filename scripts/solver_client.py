@@ -46,7 +46,8 @@ def start(name, disable_signals=False):
     """Becomes a node; SystemExit without a ROS master."""
     if not rosgraph.is_master_online():
         sys.exit('no ROS master at %s' % rosgraph.get_master_uri())
-    rospy.init_node(name, anonymous=True, disable_signals=disable_signals)
+    # What goes wrong the client says itself, in one line.
+    rospy.init_node(name, anonymous=True, disable_signals=disable_signals, log_level=rospy.FATAL)
 
 
 def call(node, service, kind, **request):
