@@ -40,6 +40,9 @@ class BadStartTest(unittest.TestCase):
                         'speed expected a number')
         self.assertEnds(run('cable_solver', ('scene', DATA + 'strand.yaml'), ('live', 'true'), ('live_rate', '0')),
                         'live_rate is 0')
+        self.assertEnds(run('cable_solver', ('scene', DATA + 'strand.yaml'), ('live_rate', '50'), ('threads', '-1')),
+                        'threads is -1, expected 0')
+        self.assertEnds(run('cable_solver', ('threads', 'many')), 'threads expected a whole number')
 
     def test_a_broken_recording(self):
         self.assertEnds(run('moving_geometry_node', ('scene', DATA + 'broken_bag.yaml')),
