@@ -3,66 +3,30 @@
 
 #include <benchmark/benchmark.h>
 
-#include <cmath>
 #include <numeric>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
-#include <cable_variation/scene/scene_reader.h>
 #include <cable_variation/variation/stability_analysis.h>
+
+#include "shipped_case.h"
 
 namespace cable_variation::bench {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
-
-DesignVariable variableOf(const DesignTarget& target, const std::string& name, double nominal,
-                          double tolerance) {
-  DesignVariable variable;
-  variable.name = name;
-  variable.target = target;
-  variable.nominal = nominal;
-  variable.lower = -tolerance;
-  variable.upper = tolerance;
-  variable.distribution_parameters["sigma"] = 3.0;
-  return variable;
-}
-
-// The shipped case with 30 variables (its own ten, and clips and stiffnesses), and all measures that a
-// single factorisation differentiates: 12.
+// The shipped case with 30 variables, and all measures that a single factorisation differentiates: 12.
 Scene harnessCase() {
-  const std::string root = CABLE_VARIATION_SOURCE_DIR;
-  Scene scene = readScene(root + "/config/harness.yaml", [&](const std::string&) { return root; });
+  Scene scene = harnessOfThirtyVariables();
   std::vector<Measure> measures;
   for (const Measure& measure : scene.measures) {
     if (measure.type != Measure::Type::eigenvalue) measures.push_back(measure);
   }
   scene.measures = measures;
-  auto& variables = scene.design_variables;
-  const auto add = [&](const DesignTarget& target, double nominal, double tolerance) {
-    if (variables.size() < 30) {
-      variables.push_back(
-          variableOf(target, "variable_" + std::to_string(variables.size()), nominal, tolerance));
-    }
-  };
-  for (std::size_t clip = 0; clip < scene.harness.clips.size(); ++clip) {
-    for (Axis axis : {Axis::x, Axis::y, Axis::z}) add(ClipTranslation{clip, axis}, 0.0, 1e-3);
-  }
-  using Property = CableProperty::Property;
-  for (std::size_t cable = 0; cable < scene.harness.cables.size(); ++cable) {
-    const Section& section = scene.harness.cables[cable].sections.front().section;
-    add(CableProperty{cable, Property::EI}, section.EI_y, 0.1 * section.EI_y);
-    add(CableProperty{cable, Property::GJ}, section.GJ, 0.1 * section.GJ);
-    add(CableProperty{cable, Property::density}, section.mass_per_length, 0.1 * section.mass_per_length);
-  }
-  for (Axis axis : {Axis::x, Axis::y, Axis::z}) {
-    add(ComponentRotation{1, axis}, 0.0, 1.0 * kDegree);
-    add(ComponentTranslation{0, axis}, 0.0, 1e-3);
-  }
-  if (scene.measures.size() != 12 || variables.size() != 30) {
+  const std::size_t variables = scene.design_variables.size();
+  if (scene.measures.size() != 12 || variables != 30) {
     throw std::runtime_error(std::to_string(scene.measures.size()) + " measures by " +
-                             std::to_string(variables.size()) + " variables, not 12 by 30");
+                             std::to_string(variables) + " variables, not 12 by 30");
   }
   return scene;
 }

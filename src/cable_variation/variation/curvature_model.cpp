@@ -15,14 +15,19 @@ constexpr double kRidge = 1e-3;           // of a shape at a limit: keeps apart 
 }  // namespace
 
 void CurvatureModel::fit(const std::vector<StretchShape>& shapes,
-                         const std::vector<Eigen::VectorXd>& coordinates, const Eigen::VectorXd& widths) {
+                         const std::vector<Eigen::VectorXd>& coordinates, const std::vector<bool>& used,
+                         const Eigen::VectorXd& widths) {
   coordinates_ = widths.size();
-  const auto count = static_cast<Eigen::Index>(std::min(shapes.size() - 1, kMostShapes));
-  const auto shapeOf = [&](Eigen::Index row) {
-    // the first ones reach furthest, the last ones are where it matters
-    const auto index = static_cast<std::size_t>(row);
-    return 2 * row < count ? index + 1 : shapes.size() - static_cast<std::size_t>(count) + index;
-  };
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 1; i < shapes.size(); ++i) {
+    if (used[i]) chosen.push_back(i);
+  }
+  // the first ones reach furthest, the last ones are where it matters
+  if (chosen.size() > kMostShapes) {
+    chosen.erase(chosen.begin() + kMostShapes / 2, chosen.end() - kMostShapes / 2);
+  }
+  const auto count = static_cast<Eigen::Index>(chosen.size());
+  const auto shapeOf = [&](Eigen::Index row) { return chosen[static_cast<std::size_t>(row)]; };
   Eigen::MatrixXd change(count, coordinates_);
   for (Eigen::Index row = 0; row < count; ++row) {
     change.row(row) = (coordinates[shapeOf(row)] - coordinates[0]).cwiseQuotient(widths).transpose();

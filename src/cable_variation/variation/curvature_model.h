@@ -12,10 +12,10 @@ namespace cable_variation {
 /// so far tell: their least-squares fit, one matrix for each end and direction of space.
 class CurvatureModel {
  public:
-  /// Fits all shapes. @param coordinates of each, relative to the first @param widths of the coordinates,
-  /// that the fit is scaled by
+  /// Fits shapes. @param coordinates of each, relative to the first @param used which of them count
+  /// @param widths of the coordinates, that the fit is scaled by
   void fit(const std::vector<StretchShape>& shapes, const std::vector<Eigen::VectorXd>& coordinates,
-           const Eigen::VectorXd& widths);
+           const std::vector<bool>& used, const Eigen::VectorXd& widths);
 
   bool empty() const { return bends_.empty(); }
   /// Second derivatives of the height of an end along `outward` by the coordinates, symmetric.

@@ -175,7 +175,7 @@ class Generator {
     std::atomic<std::size_t> done{0}, solved{0};
     tbb::parallel_for(std::size_t{0}, which.size(), [&](std::size_t i) {
       PhaseSearch& search = searches_[which[i]];
-      search.run(largest_solves / searches_.size() + 1, [&] {
+      search.run(largest_solves, [&] {
         report_({"shapes", 0.1 + 0.5 * static_cast<double>(done) / static_cast<double>(which.size()),
                  solved + search.solves(), search.follower().referenceTime()});
       });
@@ -282,7 +282,7 @@ class Generator {
     for (const PhaseSearch& search : searches_) exhausted += search.exhausted() ? 1 : 0;
     if (exhausted > 0) {
       warn(exhausted, " of ", searches_.size(), " phases ended at the largest number of solves, ",
-           options_.largest_solves, " in all: their hulls may still grow");
+           options_.largest_solves, ": their hulls may still grow");
     }
     if (envelope_.failures > 0) {
       const auto first = std::find_if(searches_.begin(), searches_.end(),

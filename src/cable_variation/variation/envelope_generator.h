@@ -25,9 +25,9 @@ struct EnvelopeOptions {
   std::size_t verification = 2000;     ///< independent random shapes for containment
   std::size_t tightness = 0;           ///< shapes for tightness; 0: not computed
   double voxel = 0.0;                  ///< for tightness [m]; 0: a sixth of the thinnest cable's radius
-  std::size_t largest_solves = 200000;
-  std::uint64_t seed = 1;   ///< of the random shapes
-  std::size_t threads = 0;  ///< 0: as many as there are cores
+  std::size_t largest_solves = 3000;   ///< per phase; ending there is warned of
+  std::uint64_t seed = 1;              ///< of the random shapes
+  std::size_t threads = 0;             ///< 0: as many as there are cores
 };
 
 struct EnvelopeProgress {

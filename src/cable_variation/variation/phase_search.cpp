@@ -8,9 +8,13 @@
 namespace cable_variation {
 namespace {
 
-constexpr std::size_t kShapesPerRound = 64;
+constexpr std::size_t kShapesPerRound = 128;
 constexpr double kSharp = 0.87;  // cosine between the normals of facets that meet at a sharp edge: 30 degrees
-constexpr int kSteps = 32;       // that deviations are told apart by, over a tolerance
+// Derivatives that reach so many times as far as those of the reference belong to a shape about to snap.
+constexpr double kAboutToSnap = 4.0;
+// Derivatives that miss by this share of the motion lead astray; believed for less than so much, not at all.
+constexpr double kAstray = 0.3, kLeastTrust = 0.1;
+constexpr int kSteps = 32;  // that deviations are told apart by, over a tolerance
 
 // The faces, edges and corners of a cube.
 std::vector<Eigen::Vector3d> firstDirections() {
@@ -39,6 +43,7 @@ PhaseSearch::PhaseSearch(ShapeFollower follower, std::vector<double> times, doub
   }
   branches_.emplace_back();
   radius_.assign(follower_.reader().stretches().size(), 0.0);
+  reach_ = largestReach(follower_.reference());
   insert(follower_.reference(), 0);
   rebuild();
 }
@@ -67,6 +72,31 @@ void PhaseSearch::insert(const StretchShape& shape, std::size_t branch) {
   samples_.back().control.clear();
   sample_coordinates_.push_back(follower_.coordinates(shape.place));
   sample_branch_.push_back(branch);
+  trust_.push_back(largestReach(shape) <= kAboutToSnap * reach_ ? 1.0 : 0.0);
+}
+
+// Half the range of each coordinate.
+Eigen::VectorXd PhaseSearch::widths() const {
+  const ToleranceSpace& tolerances = follower_.reader().space().tolerances();
+  Eigen::VectorXd widths(tolerances.size() + poses_.cols());
+  widths.head(tolerances.size()) = 0.5 * (tolerances.upper() - tolerances.lower());
+  for (Eigen::Index i = tolerances.size(); i < widths.size(); ++i) {
+    constexpr double kStill = 1e-9;
+    widths[i] = std::max(kStill, poses_.col(i - tolerances.size()).cwiseAbs().maxCoeff());
+  }
+  return widths;
+}
+
+// The furthest that all coordinates together (root sum of squares) move an end, by the derivatives [m].
+double PhaseSearch::largestReach(const StretchShape& shape) const {
+  const Eigen::VectorXf squares = widths().array().square().cast<float>();
+  const Eigen::Matrix4Xf& rates = shape.rates[0];
+  double largest = 0.0;
+  for (Eigen::Index first = 0; first < rates.cols(); first += squares.size()) {
+    const auto of_end = rates.topRows<3>().middleCols(first, squares.size());
+    largest = std::max<double>(largest, of_end.colwise().squaredNorm().dot(squares));
+  }
+  return std::sqrt(largest);
 }
 
 void PhaseSearch::rebuild() {
@@ -80,6 +110,8 @@ void PhaseSearch::rebuild() {
 void PhaseSearch::considerPush(const GrowingHull::Tag& tag, std::size_t frame, std::size_t stretch,
                                const Eigen::Vector3d& outward, Scratch& scratch,
                                std::vector<Push>& pushes) const {
+  const double trust = trust_[tag.sample];
+  if (trust < kLeastTrust) return;
   const SampleSpace& space = follower_.reader().space();
   const Eigen::Index variables = space.tolerances().size(), coordinates = space.coordinates();
   const Eigen::Vector4f along = (Eigen::Vector4f() << outward.cast<float>(), 1.0F).finished();
@@ -116,12 +148,13 @@ void PhaseSearch::considerPush(const GrowingHull::Tag& tag, std::size_t frame, s
     curvature_.along(frame, 2 * stretch + (tag.share < 0.5F ? 0 : 1), along, scratch.bend);
   }
   climb(here, scratch);
+  scratch.step.head(variables) *= trust;
   const double gain =
       scratch.step.dot(scratch.gradient) + 0.5 * scratch.step.dot(scratch.bend.cast<double>() * scratch.step);
   if (gain <= tolerance_) return;
   Push push{tag.sample, scratch.gradient, here.head(variables) + scratch.step.head(variables), pose, gain,
             gain};
-  if (looked_at_.count(key({push.target, push.pose})) == 0) pushes.push_back(std::move(push));
+  if (looked_at_.count(key({push.sample, push.target, push.pose})) == 0) pushes.push_back(std::move(push));
 }
 
 // Improves the step of the variables: one after the other is put where the height along it is largest.
@@ -211,7 +244,7 @@ std::vector<PhaseSearch::Candidate> PhaseSearch::choose(std::vector<Push>& pushe
     const auto best = std::max_element(pushes.begin(), pushes.end(),
                                        [](const Push& a, const Push& b) { return a.left < b.left; });
     if (best == pushes.end() || best->left <= tolerance_) break;
-    const Candidate candidate{best->target, best->pose};
+    const Candidate candidate{best->sample, best->target, best->pose};
     best->left = 0.0;
     if (!looked_at_.insert(key(candidate)).second) continue;
     chosen.push_back(candidate);
@@ -231,7 +264,26 @@ void PhaseSearch::solve(const std::vector<Candidate>& candidates) {
   tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t i) {
     found[i] = follower_.follow({candidates[i].deviations, times_[candidates[i].pose]}, true);
   });
-  for (const FollowedShape& each : found) add(each);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    learn(candidates[i], found[i]);
+    add(found[i]);
+  }
+}
+
+// A sample whose derivatives led astray is believed for half the way from then on: beyond a snap lies nothing
+// of what they promise.
+void PhaseSearch::learn(const Candidate& candidate, const FollowedShape& found) {
+  const StretchShape& from = samples_[candidate.sample];
+  bool astray = !found.converged || found.jump;
+  if (!astray) {
+    const Eigen::VectorXd change =
+        follower_.coordinates(found.shape.place) - sample_coordinates_[candidate.sample];
+    const Eigen::Matrix3Xd expected = from.predicted(change);
+    const double error = (found.shape.ends[0] - expected).colwise().squaredNorm().maxCoeff();
+    const double motion = (expected - from.ends[0]).colwise().squaredNorm().maxCoeff();
+    astray = error > kAstray * kAstray * motion + tolerance_ * tolerance_;
+  }
+  if (astray) trust_[candidate.sample] *= 0.5;
 }
 
 std::size_t PhaseSearch::branchOf(const FollowedShape::Jump& jump) {
@@ -267,14 +319,9 @@ void PhaseSearch::add(const FollowedShape& found) {
 void PhaseSearch::fitCurvature() {
   if (samples_.size() < 2 || 2 * samples_.size() < 3 * fitted_) return;
   fitted_ = samples_.size();
-  const ToleranceSpace& tolerances = follower_.reader().space().tolerances();
-  Eigen::VectorXd widths = Eigen::VectorXd::Zero(sample_coordinates_.front().size());
-  widths.head(tolerances.size()) = 0.5 * (tolerances.upper() - tolerances.lower());
-  for (Eigen::Index i = tolerances.size(); i < widths.size(); ++i) {
-    constexpr double kStill = 1e-9;
-    widths[i] = std::max(kStill, poses_.col(i - tolerances.size()).cwiseAbs().maxCoeff());
-  }
-  curvature_.fit(samples_, sample_coordinates_, widths);
+  std::vector<bool> believed;
+  for (const double trust : trust_) believed.push_back(trust > 0.5);
+  curvature_.fit(samples_, sample_coordinates_, believed, widths());
 }
 
 void PhaseSearch::run(std::size_t largest_solves, const std::function<void()>& check) {

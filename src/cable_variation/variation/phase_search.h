@@ -57,6 +57,7 @@ class PhaseSearch {
     double left;               // of it, after the candidates chosen so far [m]
   };
   struct Candidate {
+    std::size_t sample;  // that leads to it
     Eigen::VectorXd deviations;
     std::size_t pose;
   };
@@ -70,8 +71,11 @@ class PhaseSearch {
                     const Eigen::Vector3d& outward, Scratch& scratch, std::vector<Push>& pushes) const;
   void climb(const Eigen::VectorXd& here, Scratch& scratch) const;
   void fitCurvature();
+  Eigen::VectorXd widths() const;
+  double largestReach(const StretchShape& shape) const;
   std::vector<Candidate> choose(std::vector<Push>& pushes);
   void solve(const std::vector<Candidate>& candidates);
+  void learn(const Candidate& candidate, const FollowedShape& found);
   void insert(const StretchShape& shape, std::size_t branch);
   void rebuild();
   std::size_t branchOf(const FollowedShape::Jump& jump);
@@ -84,6 +88,7 @@ class PhaseSearch {
   std::vector<StretchShape> samples_;
   std::vector<Eigen::VectorXd> sample_coordinates_;
   std::vector<std::size_t> sample_branch_;
+  std::vector<double> trust_;  // per sample: the share of a way that its derivatives are believed for
   std::vector<double> radius_;
   std::vector<Branch> branches_;
   CurvatureModel curvature_;
@@ -93,6 +98,7 @@ class PhaseSearch {
   std::size_t solves_ = 0, failures_ = 0;
   std::string failure_;
   bool exhausted_ = false;
+  double reach_ = 0.0;   // of the reference's derivatives, see largestReach() [m]
   double gained_ = 0.0;  // by the last round: how far its shapes stick out of the hulls before [m]
   double discretisation_error_ = 0.0;
 };
