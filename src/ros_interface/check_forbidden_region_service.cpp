@@ -29,7 +29,7 @@ using cable_variation::TriangleMesh;
 
 namespace {
 
-constexpr double kWorthShowing = 0.05;  // [m]; as clearances of envelopes
+constexpr double kWorthShowing = 0.02;  // [m]; as clearances of envelopes
 
 void requireFile(const std::string& path, const std::string& what) {
   std::error_code ignored;

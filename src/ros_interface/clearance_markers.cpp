@@ -21,11 +21,13 @@ using visualization_msgs::Marker;
 
 namespace {
 
-constexpr double kWorthShowing = 0.05;  // [m]
+constexpr double kWorthShowing = 0.02;  // [m]
 constexpr double kLift = 3e-4;          // [m]; beyond what RViz's depth buffer tells apart at a metre
 
+/// Bodies of two cables hold shapes that do not occur together; only what was solved does.
 bool interferes(const Scene& scene, const EnvelopeClearance& clearance) {
-  return clearance.distance < 0.0 || clearance.distance < lowerLimit(scene, clearance).value_or(0.0);
+  const double least = std::max(lowerLimit(scene, clearance).value_or(0.0), 0.0);
+  return (clearance.other ? clearance.worst_sample : clearance.distance) < least;
 }
 
 DistanceMark toMark(const Scene& scene, const EnvelopeClearance& clearance, const std::string& other,
@@ -59,7 +61,7 @@ std::vector<DistanceMark> clearanceMarks(const Scene& scene, const std::vector<E
   std::vector<DistanceMark> marks;
   for (const EnvelopeClearance& each : clearances) {
     const std::string other = otherOf(each);
-    const bool worth = closest[other] == &each && each.distance <= kWorthShowing;
+    const bool worth = closest[other] == &each && each.distance >= 0.0 && each.distance <= kWorthShowing;
     if (worth || interferes(scene, each)) marks.push_back(toMark(scene, each, other, moving));
   }
   return marks;

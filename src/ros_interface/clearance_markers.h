@@ -10,8 +10,9 @@
 namespace cable_variation_ros {
 
 /// The closest pairs of an envelope worth showing, namespace interference/clearance/CABLE/OTHER: those that
-/// interfere, that is overlap or come closer than the lower limit of the scene's distance measures; and of
-/// each component and each pair of cables the closest one, if that is within 50 mm.
+/// interfere, that is overlap or come closer than the lower limit of the scene's distance measures (two
+/// cables: in a shape that was solved); and of each component and each pair of cables the closest one, if
+/// that is within 20 mm.
 /// @param moving whether texts tell times
 std::vector<DistanceMark> clearanceMarks(const cable_variation::Scene& scene,
                                          const std::vector<cable_variation::EnvelopeClearance>& clearances,

@@ -35,6 +35,7 @@ class Clearances : public testing::Test {
     clearance.cable = cable;
     clearance.component = component;
     clearance.distance = distance;
+    clearance.worst_sample = distance + 1e-4;
     clearance.on_envelope = {0.1, 0.2, 0.3};
     clearance.on_other = {0.1, 0.2, 0.3 + distance};
     clearance.arc_length = 0.2312;
@@ -60,11 +61,11 @@ class Clearances : public testing::Test {
 };
 
 TEST_F(Clearances, TheClosestOfEachPartIsShownIfItIsNear) {
-  EXPECT_EQ(shown({to(0, "car", 0.02), to(1, "car", 0.01), to(0, "engine", 0.049), between(0, 1, 0.03)}),
+  EXPECT_EQ(shown({to(0, "car", 0.012), to(1, "car", 0.01), to(0, "engine", 0.0199), between(0, 1, 0.003)}),
             (std::map<std::string, bool>{{"interference/clearance/branch/car", false},
                                          {"interference/clearance/main/engine", false},
                                          {"interference/clearance/main/branch", false}}));
-  EXPECT_TRUE(shown({to(0, "engine", 0.051)}).empty());
+  EXPECT_TRUE(shown({to(0, "engine", 0.0201)}).empty());
 }
 
 TEST_F(Clearances, OverlapsAndWhatBreaksALimitAreRedAndAllShown) {
@@ -73,6 +74,14 @@ TEST_F(Clearances, OverlapsAndWhatBreaksALimitAreRedAndAllShown) {
                                          {"interference/clearance/branch/car", true},
                                          {"interference/clearance/branch/engine", false}}));
   EXPECT_FALSE(shown({to(0, "car", 0.0051)}).begin()->second);
+}
+
+TEST_F(Clearances, TwoCablesInterfereIfAShapeThatWasSolvedDoes) {
+  EnvelopeClearance pair = between(0, 1, -0.002);
+  pair.worst_sample = 0.004;
+  EXPECT_TRUE(shown({pair}).empty());
+  pair.worst_sample = -0.001;
+  EXPECT_EQ(shown({pair}), (std::map<std::string, bool>{{"interference/clearance/main/branch", true}}));
 }
 
 TEST_F(Clearances, LimitsAreThoseOfTheScenesDistances) {
