@@ -1,6 +1,5 @@
 #include <ros_interface/label_placing.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include <visualization_msgs/Marker.h>
@@ -11,8 +10,6 @@ namespace {
 
 constexpr double kLetterWidth = 0.6;  // of the height, on average in RViz's font
 constexpr double kLineSpacing = 1.4;  // of the height
-// Seen from above, the further one of two texts seems to be this share of their distance higher.
-constexpr double kSlope = 0.5;
 
 }  // namespace
 
@@ -39,7 +36,7 @@ Eigen::Vector3d LabelPlacing::place(const Eigen::Vector3d& wanted, const std::st
     moved = false;
     for (const Label& other : labels_) {
       const double aside = (label.centre - other.centre).head<2>().norm();
-      const double least = 0.5 * kLineSpacing * (label.height + other.height) + kSlope * aside;
+      const double least = 0.5 * kLineSpacing * (label.height + other.height);
       if (aside >= 0.5 * (label.width + other.width) ||
           std::abs(label.centre.z() - other.centre.z()) >= (1.0 - 1e-9) * least) {
         continue;

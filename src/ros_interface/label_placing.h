@@ -9,7 +9,7 @@
 namespace cable_variation_ros {
 
 /// Finds places for texts so that none hides another: those too close to one placed before go up a line.
-/// Seen from steeper than some 25 degrees above they may still cover each other.
+/// Seen from above, texts that are apart along the line of sight may still cover each other.
 class LabelPlacing {
  public:
   /// The texts in `others` keep their places.
