@@ -152,8 +152,7 @@ void PhaseSearch::considerPush(const GrowingHull::Tag& tag, std::size_t frame, s
   const double gain =
       scratch.step.dot(scratch.gradient) + 0.5 * scratch.step.dot(scratch.bend.cast<double>() * scratch.step);
   if (gain <= tolerance_) return;
-  Push push{tag.sample, scratch.gradient, here.head(variables) + scratch.step.head(variables), pose, gain,
-            gain};
+  Push push{tag.sample, scratch.gradient, here.head(variables) + scratch.step.head(variables), pose, gain};
   if (looked_at_.count(key({push.sample, push.target, push.pose})) == 0) pushes.push_back(std::move(push));
 }
 
@@ -237,24 +236,30 @@ std::vector<int> PhaseSearch::key(const Candidate& candidate) const {
 }
 
 // The candidate of the largest gain first, and after each what it is expected to leave of the others'.
-std::vector<PhaseSearch::Candidate> PhaseSearch::choose(std::vector<Push>& pushes) {
+std::vector<PhaseSearch::Candidate> PhaseSearch::choose(const std::vector<Push>& pushes) {
   const Eigen::Index variables = follower_.reader().space().tolerances().size();
+  const auto count = static_cast<Eigen::Index>(pushes.size());
+  // side by side: this is gone through for every candidate
+  Eigen::MatrixXf gradients(count, variables + poses_.cols());
+  Eigen::VectorXf at_sample(count), left(count), gain(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const Push& push = pushes[static_cast<std::size_t>(i)];
+    gradients.row(i) = push.gradient.transpose().cast<float>();
+    at_sample[i] = static_cast<float>(push.gradient.dot(sample_coordinates_[push.sample]));
+    gain[i] = left[i] = static_cast<float>(push.gain);
+  }
   std::vector<Candidate> chosen;
-  while (chosen.size() < kShapesPerRound) {
-    const auto best = std::max_element(pushes.begin(), pushes.end(),
-                                       [](const Push& a, const Push& b) { return a.left < b.left; });
-    if (best == pushes.end() || best->left <= tolerance_) break;
-    const Candidate candidate{best->sample, best->target, best->pose};
-    best->left = 0.0;
+  Eigen::Index best = 0;
+  while (chosen.size() < kShapesPerRound && count > 0 && left.maxCoeff(&best) > tolerance_) {
+    const Push& push = pushes[static_cast<std::size_t>(best)];
+    const Candidate candidate{push.sample, push.target, push.pose};
+    left[best] = 0.0F;
     if (!looked_at_.insert(key(candidate)).second) continue;
     chosen.push_back(candidate);
-    Eigen::VectorXd coordinates(variables + poses_.cols());
-    coordinates << candidate.deviations, poses_.row(static_cast<Eigen::Index>(candidate.pose)).transpose();
-    for (Push& push : pushes) {
-      if (push.left <= tolerance_) continue;
-      const double gained = push.gradient.dot(coordinates - sample_coordinates_[push.sample]);
-      push.left = std::min(push.left, push.gain - gained);
-    }
+    Eigen::VectorXf coordinates(variables + poses_.cols());
+    coordinates << candidate.deviations.cast<float>(),
+        poses_.row(static_cast<Eigen::Index>(candidate.pose)).transpose().cast<float>();
+    left = left.cwiseMin(gain - (gradients * coordinates - at_sample));
   }
   return chosen;
 }
@@ -329,8 +334,7 @@ void PhaseSearch::run(std::size_t largest_solves, const std::function<void()>& c
   for (;;) {
     check();
     fitCurvature();
-    std::vector<Push> possible = pushes();
-    const std::vector<Candidate> candidates = choose(possible);
+    const std::vector<Candidate> candidates = choose(pushes());
     if (candidates.empty()) return;
     if (solves_ + candidates.size() > largest_solves) {
       exhausted_ = true;

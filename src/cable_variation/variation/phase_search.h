@@ -53,8 +53,7 @@ class PhaseSearch {
     Eigen::VectorXd gradient;  // of the height, per coordinate
     Eigen::VectorXd target;    // deviations
     std::size_t pose;          // index into times_
-    double gain;               // expected in all [m]
-    double left;               // of it, after the candidates chosen so far [m]
+    double gain;               // expected [m]
   };
   struct Candidate {
     std::size_t sample;  // that leads to it
@@ -73,7 +72,7 @@ class PhaseSearch {
   void fitCurvature();
   Eigen::VectorXd widths() const;
   double largestReach(const StretchShape& shape) const;
-  std::vector<Candidate> choose(std::vector<Push>& pushes);
+  std::vector<Candidate> choose(const std::vector<Push>& pushes);
   void solve(const std::vector<Candidate>& candidates);
   void learn(const Candidate& candidate, const FollowedShape& found);
   void insert(const StretchShape& shape, std::size_t branch);
