@@ -118,6 +118,7 @@ InterferenceView interferenceOf(const EnvelopeTask& task, const Scene& scene,
 /// Components whose poses the motions give.
 std::vector<std::string> carriedBy(const std::vector<std::size_t>& motions, const Scene& scene) {
   std::vector<const cable_variation::Motion*> played;
+  played.reserve(motions.size());
   for (const std::size_t index : motions) played.push_back(&scene.motions[index]);
   std::vector<std::string> carried;
   for (const auto& [name, pose] : posesDuring(scene, played, 0.0)) carried.push_back(name);
