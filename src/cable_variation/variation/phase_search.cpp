@@ -264,9 +264,10 @@ std::vector<PhaseSearch::Candidate> PhaseSearch::choose(const std::vector<Push>&
   return chosen;
 }
 
-void PhaseSearch::solve(const std::vector<Candidate>& candidates) {
+void PhaseSearch::solve(const std::vector<Candidate>& candidates, const std::function<void()>& check) {
   std::vector<FollowedShape> found(candidates.size());
   tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t i) {
+    check();
     found[i] = follower_.follow({candidates[i].deviations, times_[candidates[i].pose]}, true);
   });
   for (std::size_t i = 0; i < found.size(); ++i) {
@@ -341,7 +342,7 @@ void PhaseSearch::run(std::size_t largest_solves, const std::function<void()>& c
       return;
     }
     gained_ = 0.0;
-    solve(candidates);
+    solve(candidates, check);
     rebuild();
     // what is left was expected to gain less than what has just been tried
     if (gained_ <= tolerance_) return;

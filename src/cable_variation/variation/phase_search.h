@@ -22,7 +22,8 @@ class PhaseSearch {
   /// Takes in a shape found elsewhere, to start from it.
   void add(const FollowedShape& found);
   /// Until no facet of a hull is expected to move out by more than the tolerance, or none did although
-  /// expected, or `largest_solves` shapes are solved. `check` is called between rounds and may throw.
+  /// expected, or `largest_solves` shapes are solved. `check` is called before each shape, by any thread, and
+  /// may throw.
   void run(std::size_t largest_solves, const std::function<void()>& check);
 
   const ShapeFollower& follower() const { return follower_; }
@@ -73,7 +74,7 @@ class PhaseSearch {
   Eigen::VectorXd widths() const;
   double largestReach(const StretchShape& shape) const;
   std::vector<Candidate> choose(const std::vector<Push>& pushes);
-  void solve(const std::vector<Candidate>& candidates);
+  void solve(const std::vector<Candidate>& candidates, const std::function<void()>& check);
   void learn(const Candidate& candidate, const FollowedShape& found);
   void insert(const StretchShape& shape, std::size_t branch);
   void rebuild();

@@ -25,6 +25,7 @@ constexpr double kOddShare = 0.5, kOddOfLength = 0.01;
 // A step that ends further from its prediction than this is cut; when it cannot be cut any more it is a jump.
 constexpr double kStepShare = 0.3, kStepOfLength = 0.002;
 constexpr double kFirstStep = 1.0 / 8.0, kSmallestStep = 1.0 / 512.0;
+constexpr int kMostSteps = 150;  // a jump takes some 30; a way of nothing but jumps is given up
 
 }  // namespace
 
@@ -66,7 +67,12 @@ FollowedShape ShapeFollower::followInSteps(const SamplePlace& place, bool with_r
   const auto placeAt = [&](double share) {
     return SamplePlace{share * place.deviations, reference_time_ + share * (place.time - reference_time_)};
   };
-  while (reached < 1.0) {
+  for (int tried = 0; reached < 1.0; ++tried) {
+    if (tried == kMostSteps) {
+      followed.message =
+          "the shape cannot be followed there: it is close to losing its stability all the way";
+      return followed;
+    }
     const double next = std::min(1.0, reached + step);
     EquilibriumSolver ahead = solver;
     StretchShape there;
