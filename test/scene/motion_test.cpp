@@ -56,7 +56,8 @@ TEST(Tum, namesTheLineOfAFault) {
   EXPECT_EQ(refusal({"0 0 0 0 0 0 0 0"}), ":1: quaternion has norm 0.000000; expected 1");
   EXPECT_EQ(refusal({"0 0 0 0 0 0 0 1.002"}), ":1: quaternion has norm 1.002000; expected 1");
   EXPECT_EQ(refusal({"0 0 0 0 nan 0 0 1"}), ":1: found 'nan'; expected a finite number");
-  EXPECT_EQ(refusal({"0 0 0 0 0 0 0 1", "1 0 0 0 0 0 0 0.5"}), ":2: quaternion has norm 0.500000; expected 1");
+  EXPECT_EQ(refusal({"0 0 0 0 0 0 0 1", "1 0 0 0 0 0 0 0.5"}),
+            ":2: quaternion has norm 0.500000; expected 1");
   EXPECT_EQ(refusal({"1 0 0 0 0 0 0 1", "1 0 0 0 0 0 0 1"}),
             ":2: time 1.000000 s is not after 1.000000 s of the pose before");
   EXPECT_EQ(refusal({"0.5 0 0 0 0 0 0 1", "", "0.25 0 0 0 0 0 0 1"}),

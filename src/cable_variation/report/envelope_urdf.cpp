@@ -56,6 +56,7 @@ class Grouping {
           &piece.body);
     }
     std::vector<Group> all;
+    all.reserve(groups.size());
     for (auto& [key, group] : groups) all.push_back(std::move(group));
     return all;
   }

@@ -28,7 +28,7 @@ double secondsSince(Clock::time_point start) {
 }
 
 // A facet that would move out by less than this share of the margin is left.
-constexpr double kWorthwhile = 0.25;
+constexpr double kWorthwhile = 0.4;
 // Rounds of looking at random shapes and taking in those that stick out.
 constexpr int kRounds = 6;
 // Random shapes that stick out by more than this share of the margin are taken in.

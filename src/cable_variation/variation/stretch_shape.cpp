@@ -138,10 +138,11 @@ StretchShape StretchReader::readWithRates(const SamplePlace& place, const Harnes
       shape.rates.push_back(world.cast<float>());
       continue;
     }
-    const Pose pose = components.at((*frames_)[frame]);
+    const Pose& pose = components.at((*frames_)[frame]);
     const std::size_t component = componentIndex(space_->scene(), (*frames_)[frame]);
     const Eigen::Matrix3d to_frame = pose.orientation.conjugate().toRotationMatrix();
     std::vector<FrameRate> carried;
+    carried.reserve(design.size());
     for (const DesignRate& rate : design) carried.push_back(rateOf(rate, component));
     Eigen::Matrix4Xd seen = world;
     for (Eigen::Index c = 0; c < seen.cols(); ++c) {
