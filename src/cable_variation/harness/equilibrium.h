@@ -101,6 +101,8 @@ struct EquilibriumOptions {
   int max_iterations = 400;  ///< per start
 };
 
+struct Problem;
+
 /// Finds the shape that a harness takes.
 ///
 /// Which one, when several are stable: solve() takes the one of lowest energy
@@ -139,6 +141,9 @@ class EquilibriumSolver {
   std::vector<double> eigenvalueRates(const std::vector<HarnessRate>& variables);
 
  private:
+  friend class BatchSolver;
+  const Problem& problem() const;  // throws std::logic_error when there is no equilibrium
+
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

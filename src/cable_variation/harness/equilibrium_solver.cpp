@@ -356,4 +356,9 @@ std::vector<double> EquilibriumSolver::eigenvalueRates(const std::vector<Harness
   return impl_->eigenvalueRates(variables);
 }
 
+const Problem& EquilibriumSolver::problem() const {
+  if (!impl_->problem || impl_->unstable) throw std::logic_error("there is no equilibrium to start from");
+  return *impl_->problem;
+}
+
 }  // namespace cable_variation

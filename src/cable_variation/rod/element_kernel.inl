@@ -4,16 +4,10 @@
 // one processor can be linked in place of another's.
 
 #include <cable_variation/rod/element_kernel.h>
+#include <cable_variation/rod/pack.inl>
 
 namespace cable_variation::element {
 namespace {
-
-typedef double Pack
-    __attribute__((vector_size(8 * CABLE_VARIATION_WIDTH), aligned(8 * CABLE_VARIATION_WIDTH)));
-constexpr int kWidth = CABLE_VARIATION_WIDTH;
-
-inline Pack load(const double* lane) { return *reinterpret_cast<const Pack*>(lane); }
-inline void store(double* lane, Pack value) { *reinterpret_cast<Pack*>(lane) = value; }
 
 struct Vec {
   Pack x, y, z;
@@ -97,9 +91,6 @@ constexpr Shape makeShape() {
 }
 constexpr Shape kShape = makeShape();
 
-// Of a lower triangle.
-constexpr int packed(int row, int column) { return row * (row + 1) / 2 + column; }
-
 inline Vec loadVec(const double (*rows)[kLanes], int lane) {
   return {load(rows[0] + lane), load(rows[1] + lane), load(rows[2] + lane)};
 }
@@ -165,7 +156,6 @@ inline NodeMap nodeMap(const Input& in, const GaussState& s, int g, int a, int l
 inline Vec mapTransposed(Quat c, Vec g) { return c.w * g + cross(g, c.v); }
 inline Mat matrix(Quat c) { return {{c.w, -c.v.z, c.v.y}, {c.v.z, c.w, -c.v.x}, {-c.v.y, c.v.x, c.w}}; }
 
-inline void add(double* lane, Pack value) { store(lane, load(lane) + value); }
 inline void addVec(double (*rows)[kLanes], int lane, Vec v) {
   add(rows[0] + lane, v.x);
   add(rows[1] + lane, v.y);
