@@ -52,9 +52,17 @@ struct BatchSolver::Nominal {
   Nominal(const Problem& of, double error)
       : problem(of),
         system(problem),
-        tolerance(residualTolerance(*problem.system)),
+        tolerance(toleranceOf(*problem.system)),
         length(largestArcLength(problem.configuration)),
         discretisation_error(error) {}
+
+  // Looser than minimise(), which has no last steps with old factors: leaves some 1e-10 m.
+  static double toleranceOf(const RodSystem& system) {
+    constexpr double kBalance = 1e-8;  // of what the softest bending takes
+    double force = 0.0;
+    for (const auto& metric : system.bendingMetric()) force = std::max(force, metric.bend);  // EI (π/L)²
+    return std::max(residualTolerance(system), kBalance * force);
+  }
 
   Problem problem;
   LaneSystem system;
@@ -103,7 +111,7 @@ void BatchSolver::solve(const Harness* harnesses, std::size_t count) {
   }
   system.evaluate(false);
   system.predict(nominal_->system);
-  system.move(active);
+  system.move(active, newHessianAt(1));
   for (std::size_t i = 0; i < count; ++i) {
     paths[i].predicted_shift = system.shift()[i];
     paths[i].predicted_turn = system.turn()[i];
@@ -142,7 +150,7 @@ void BatchSolver::solve(const Harness* harnesses, std::size_t count) {
     }
     if (all_done) break;
     system.step();
-    system.move(active);
+    system.move(active, newHessianAt(iteration + 1));
     for (std::size_t i = 0; i < count; ++i) {
       if (!active[i]) continue;
       Path& path = paths[i];

@@ -197,13 +197,13 @@ void LaneSystem::evaluate(bool hessian) {
   for (int lane = 0; lane < kLanes; ++lane) evaluateStations(lane, hessian);
 }
 
-void LaneSystem::move(const Flags& active) {
+void LaneSystem::move(const Flags& active, bool predict_stress) {
   const element::Kernel& kernel = element::kernel();
   const element::ChainKernel& chain = element::chainKernel();
   alignas(64) double shares[kLanes], shift2[kLanes] = {}, turn2[kLanes] = {};
   for (std::size_t lane = 0; lane < kLanes; ++lane) shares[lane] = active[lane] ? 1.0 : 0.0;
   for (Element& element : elements_) {
-    kernel.predict(element.input, element.rows, element.input.stress);
+    if (predict_stress) kernel.predict(element.input, element.rows, element.input.stress);
     chain.advance(element.input, element.rows, shares, shift2, turn2);
   }
   for (std::size_t lane = 0; lane < kLanes; ++lane) {

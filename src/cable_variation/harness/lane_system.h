@@ -51,8 +51,9 @@ class LaneSystem {
   /// Largest displacement [m] and rotation [rad] of the motion last solved for, per lane.
   const Lanes& shift() const { return shift_; }
   const Lanes& turn() const { return turn_; }
-  /// Moves the active lanes by the motion, the section forces predicted along the way.
-  void move(const Flags& active);
+  /// Moves the active lanes by the motion; before an evaluation with the Hessian, with the section forces
+  /// predicted along the way.
+  void move(const Flags& active, bool predict_stress);
 
   /// Of the shape that was evaluated last: a solved cable's points, reactions and energy as describe() and
   /// describeShapes() give them.

@@ -2,7 +2,7 @@
 // table to define.
 
 #include <cable_variation/rod/chain_kernel.h>
-#include <cable_variation/rod/pack.inl>
+#include <cable_variation/rod/elimination.inl>
 
 namespace cable_variation::element {
 namespace {
@@ -43,21 +43,6 @@ void start(const Factor& element, const double (*slide)[kDofs][kLanes], const Pl
   }
 }
 
-template <int kRows>
-void eliminateRows(Link& link, int lane) {
-  for (int k = 0; k < kNodeDofs; ++k) {
-    const Pack inverse_pivot = 1.0 / load(link.matrix[packed(k, k)] + lane);
-    store(link.inverse_pivot[k] + lane, inverse_pivot);
-    Pack column[kRows];
-    for (int i = k + 1; i < kRows; ++i) {
-      column[i] = load(link.matrix[packed(i, k)] + lane);
-      const Pack factor = column[i] * inverse_pivot;
-      store(link.matrix[packed(i, k)] + lane, factor);
-      for (int j = k + 1; j <= i; ++j) add(link.matrix[packed(i, j)] + lane, -factor * column[j]);
-    }
-  }
-}
-
 void eliminate(const Factor& element, const double (*slide)[kDofs][kLanes], const Place& place,
                const Link& before, Link& link, int* negative_pivots) {
   const int near = nearRow(place), far = farRow(place);
@@ -88,16 +73,16 @@ void eliminate(const Factor& element, const double (*slide)[kDofs][kLanes], cons
     }
     switch (border) {
       case 0:
-        eliminateRows<kBorder>(link, lane);
+        eliminatePanel<kBorder, 0>(link.matrix, link.inverse_pivot, lane);
         break;
       case kSlides:
-        eliminateRows<kBorder + kSlides>(link, lane);
+        eliminatePanel<kBorder + kSlides, 0>(link.matrix, link.inverse_pivot, lane);
         break;
       case kNodeDofs:
-        eliminateRows<kBorder + kNodeDofs>(link, lane);
+        eliminatePanel<kBorder + kNodeDofs, 0>(link.matrix, link.inverse_pivot, lane);
         break;
       default:
-        eliminateRows<kLargestLink>(link, lane);
+        eliminatePanel<kLargestLink, 0>(link.matrix, link.inverse_pivot, lane);
     }
   }
   for (int k = 0; k < kNodeDofs; ++k) {
