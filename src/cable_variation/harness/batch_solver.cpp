@@ -6,27 +6,48 @@
 #include <stdexcept>
 #include <string>
 
+#include <cable_variation/harness/discretisation.h>
 #include <cable_variation/harness/lane_system.h>
 
 namespace cable_variation {
 namespace {
 
-constexpr int kMaxIterations = 12;
 // Steps within which Newton's method is trusted, over the harness's length and in radians; as minimise().
 constexpr double kLargestShift = 0.25;
 constexpr double kLargestTurn = 0.7;
-// Steps below which rounding is all that is left, likewise; then the residual may be that of rounding, too.
-constexpr double kTinyStep = 1e-10;
-constexpr double kRoundingResidual = 1e3;
+// A harness whose last step with a Hessian of its own was larger is not near enough for steps with that one.
+constexpr double kNear = 1e-3;
+// Steps after which what is left is next to nothing, likewise; then the residual may be larger.
+constexpr double kTinyStep = 3e-9;
+constexpr double kTinyStepResidual = 1e3;
 // What an equilibrium may be off the prediction even when that is no motion at all.
 constexpr double kFreeShift = 0.02;
 constexpr double kFreeTurn = 0.1;
 // As EquilibriumSolver bears.
 constexpr double kLargestStretch = 0.1;
+// The share of the accuracy that the nominal shape is brought to, since others on its grid are less accurate.
+constexpr double kReserve = 0.5;
 
-// Two steps with the exact Hessian bring most harnesses so close that its factors serve to the end. The plan
-// depends on the iteration alone, so that no harness feels how its neighbours do.
-bool newHessianAt(int iteration) { return iteration <= 2 || iteration % 3 == 2; }
+// Steps, and how many of them with a new Hessian: two bring most harnesses so close that its factors serve to
+// the end. The others follow on their own. The plans depend on nothing but the step's number, so that no
+// harness feels how its neighbours do.
+struct Plan {
+  int steps, hessians;
+};
+constexpr Plan kQuick = {4, 2};
+constexpr Plan kThorough = {8, 8};
+
+bool any(const LaneSystem::Flags& flags) {
+  return std::any_of(flags.begin(), flags.end(), [](bool flag) { return flag; });
+}
+
+// How a harness comes to its equilibrium.
+struct Path {
+  double predicted_shift = 0.0, predicted_turn = 0.0;
+  double shift = 0.0, turn = 0.0;  // corrections, summed up
+  double last_shift = INFINITY, last_turn = INFINITY;
+  bool stable = false;
+};
 
 }  // namespace
 
@@ -44,43 +65,64 @@ const char* toString(BatchStatus status) {
       return "departed";
     case BatchStatus::overstretched:
       return "overstretched";
+    case BatchStatus::too_coarse:
+      return "too coarse";
   }
   return "unknown";
 }
 
+// What batches start from.
 struct BatchSolver::Nominal {
-  Nominal(const Problem& of, double error)
+  Nominal(const Problem& of, double accuracy_asked)
       : problem(of),
-        system(problem),
+        merged(problem.harness),
         tolerance(toleranceOf(*problem.system)),
         length(largestArcLength(problem.configuration)),
-        discretisation_error(error) {}
+        accuracy(accuracy_asked) {
+    merged.setGrid(coarsen(problem.system->grid()));
+    merged.configuration = transfer(problem.configuration, problem.system->grid(), merged.system->grid());
+    merged.system->evaluate(merged.configuration, RodSystem::Hessian::none);
+    system = std::make_unique<LaneSystem>(problem);
+    merged_system = std::make_unique<LaneSystem>(merged);
+  }
 
   // Looser than minimise(), which has no last steps with old factors: leaves some 1e-10 m.
-  static double toleranceOf(const RodSystem& system) {
+  static double toleranceOf(const RodSystem& of) {
     constexpr double kBalance = 1e-8;  // of what the softest bending takes
     double force = 0.0;
-    for (const auto& metric : system.bendingMetric()) force = std::max(force, metric.bend);  // EI (π/L)²
-    return std::max(residualTolerance(system), kBalance * force);
+    for (const auto& metric : of.bendingMetric()) force = std::max(force, metric.bend);  // EI (π/L)²
+    return std::max(residualTolerance(of), kBalance * force);
   }
 
   Problem problem;
-  LaneSystem system;
+  Problem merged;    // every pair of elements
   double tolerance;  // [N]
   double length;     // [m]
-  double discretisation_error;
+  double accuracy;   // [m]
+  std::unique_ptr<LaneSystem> system, merged_system;
 };
 
 struct BatchSolver::Lanes {
-  explicit Lanes(const Nominal& nominal) : system(nominal.problem) {}
+  explicit Lanes(const Nominal& of) : nominal(of), system(of.problem), merged(of.merged) {}
 
-  LaneSystem system;
+  void predict(const Harness* harnesses);
+  void follow(const Plan& plan);
+  bool arrive(std::size_t lane);
+  void judgeGrid();
+
+  const Nominal& nominal;
+  LaneSystem system, merged;
   std::size_t count = 0;
   std::array<BatchOutcome, kBatch> outcomes;
+  std::array<Path, kBatch> paths;
+  LaneSystem::Flags active{};   // on their way
+  LaneSystem::Flags waiting{};  // for a more thorough plan
+  bool hessian = false;         // evaluated last
 };
 
 BatchSolver::BatchSolver(const EquilibriumSolver& nominal)
-    : nominal_(std::make_shared<const Nominal>(nominal.problem(), 0.0)),
+    : nominal_(std::make_shared<const Nominal>(
+          nominal.refined(kReserve * nominal.options().accuracy).problem(), nominal.options().accuracy)),
       lanes_(std::make_unique<Lanes>(*nominal_)) {}
 
 BatchSolver::~BatchSolver() = default;
@@ -94,74 +136,105 @@ void BatchSolver::solve(const Harness* harnesses, std::size_t count) {
     throw std::invalid_argument("a batch of " + std::to_string(count) + " harnesses; expected 1 to " +
                                 std::to_string(kBatch));
   }
-  LaneSystem& system = lanes_->system;
   lanes_->count = count;
-  struct Path {
-    double predicted_shift = 0.0, predicted_turn = 0.0;
-    double shift = 0.0, turn = 0.0;  // corrections, summed up
-    double last_shift = INFINITY, last_turn = INFINITY;
-    bool stable = false;
-  };
-  std::array<Path, kBatch> paths;
-  LaneSystem::Flags active{};
-  system.restart(nominal_->system);
+  lanes_->predict(harnesses);
+  lanes_->follow(kQuick);
+  if (any(lanes_->waiting)) {
+    lanes_->active = lanes_->waiting;
+    lanes_->system.takeStress();
+    lanes_->follow(kThorough);
+  }
+  // what is described is rounded alike, whichever way it came
+  if (lanes_->hessian) lanes_->system.evaluate(false);
+  lanes_->judgeGrid();
+}
+
+void BatchSolver::Lanes::predict(const Harness* harnesses) {
+  active.fill(false);
+  system.restart(*nominal.system);
   for (std::size_t i = 0; i < count; ++i) {
     active[i] = system.load(static_cast<int>(i), harnesses[i]);
-    lanes_->outcomes[i] = {active[i] ? BatchStatus::not_converged : BatchStatus::other_structure, 0, 0.0};
+    outcomes[i] = {active[i] ? BatchStatus::not_converged : BatchStatus::other_structure, 0, 0.0, 0.0};
   }
   system.evaluate(false);
-  system.predict(nominal_->system);
-  system.move(active, newHessianAt(1));
+  system.predict(*nominal.system);
+  system.move(active, true);
   for (std::size_t i = 0; i < count; ++i) {
+    paths[i] = {};
     paths[i].predicted_shift = system.shift()[i];
     paths[i].predicted_turn = system.turn()[i];
     active[i] =
-        active[i] && system.shift()[i] < kLargestShift * nominal_->length && system.turn()[i] < kLargestTurn;
+        active[i] && system.shift()[i] < kLargestShift * nominal.length && system.turn()[i] < kLargestTurn;
   }
-  for (int iteration = 1; iteration <= kMaxIterations; ++iteration) {
-    if (std::none_of(active.begin(), active.end(), [](bool a) { return a; })) break;
-    const bool hessian = newHessianAt(iteration);
+}
+
+// Brings the active harnesses to rest; those that do not get there with the plan's steps are left waiting.
+void BatchSolver::Lanes::follow(const Plan& plan) {
+  waiting.fill(false);
+  for (int step = 1; any(active); ++step) {
+    hessian = step <= plan.hessians && step <= plan.steps;
     system.evaluate(hessian);
-    bool all_done = true;
     for (std::size_t i = 0; i < count; ++i) {
       if (!active[i]) continue;
-      Path& path = paths[i];
-      BatchOutcome& outcome = lanes_->outcomes[i];
-      outcome.residual = system.residual()[i];
-      if (hessian) path.stable = system.negativePivots()[i] == 0;
-      const bool tiny = path.last_shift < kTinyStep * nominal_->length && path.last_turn < kTinyStep;
-      const double tolerance = tiny ? kRoundingResidual * nominal_->tolerance : nominal_->tolerance;
-      if (!(outcome.residual <= tolerance)) {
-        all_done = false;
-        continue;
-      }
-      active[i] = false;
-      const bool departed = path.shift > path.predicted_shift + kFreeShift * nominal_->length ||
-                            path.turn > path.predicted_turn + kFreeTurn;
-      if (!path.stable) {
-        outcome.status = BatchStatus::unstable;
-      } else if (departed) {
-        outcome.status = BatchStatus::departed;
-      } else if (!(system.largestStretch(static_cast<int>(i)) <= kLargestStretch)) {
-        outcome.status = BatchStatus::overstretched;
-      } else {
-        outcome.status = BatchStatus::converged;
-      }
+      if (hessian) paths[i].stable = system.negativePivots()[i] == 0;
+      active[i] = !arrive(i);
+      waiting[i] = active[i] && step > plan.steps;
     }
-    if (all_done) break;
+    if (step > plan.steps || !any(active)) break;
     system.step();
-    system.move(active, newHessianAt(iteration + 1));
+    system.move(active, step + 1 <= plan.hessians);
     for (std::size_t i = 0; i < count; ++i) {
       if (!active[i]) continue;
       Path& path = paths[i];
-      const double shift = system.shift()[i], turn = system.turn()[i];
-      ++lanes_->outcomes[i].iterations;
-      path.shift += shift;
-      path.turn += turn;
-      path.last_shift = shift;
-      path.last_turn = turn;
-      active[i] = shift < kLargestShift * nominal_->length && turn < kLargestTurn;
+      ++outcomes[i].iterations;
+      path.last_shift = system.shift()[i];
+      path.last_turn = system.turn()[i];
+      path.shift += path.last_shift;
+      path.turn += path.last_turn;
+      active[i] = path.last_shift < kLargestShift * nominal.length && path.last_turn < kLargestTurn;
+      const bool near = path.last_shift < kNear * nominal.length && path.last_turn < kNear;
+      if (active[i] && step == plan.hessians && !near) {
+        active[i] = false;
+        waiting[i] = true;
+      }
     }
+  }
+}
+
+// Whether the forces on a harness balance; then what it has come to.
+bool BatchSolver::Lanes::arrive(std::size_t lane) {
+  const Path& path = paths[lane];
+  BatchOutcome& outcome = outcomes[lane];
+  outcome.residual = system.residual()[lane];
+  const bool tiny = path.last_shift < kTinyStep * nominal.length && path.last_turn < kTinyStep;
+  if (!(outcome.residual <= (tiny ? kTinyStepResidual : 1.0) * nominal.tolerance)) return false;
+  if (!path.stable) {
+    outcome.status = BatchStatus::unstable;
+  } else if (path.shift > path.predicted_shift + kFreeShift * nominal.length ||
+             path.turn > path.predicted_turn + kFreeTurn) {
+    outcome.status = BatchStatus::departed;
+  } else if (!(system.largestStretch(static_cast<int>(lane)) <= kLargestStretch)) {
+    outcome.status = BatchStatus::overstretched;
+  } else {
+    outcome.status = BatchStatus::converged;
+  }
+  return true;
+}
+
+void BatchSolver::Lanes::judgeGrid() {
+  LaneSystem::Flags solved{};
+  for (std::size_t i = 0; i < count; ++i) solved[i] = outcomes[i].converged();
+  if (!any(solved)) return;
+  merged.restart(*nominal.merged_system);
+  merged.merge(system, solved);
+  merged.evaluate(true);
+  merged.step();
+  merged.move({}, false);  // only its size counts
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!solved[i]) continue;
+    const bool positive = merged.negativePivots()[i] == 0;
+    outcomes[i].discretisation_error = positive ? errorOfFiner(merged.shift()[i], nominal.length) : INFINITY;
+    if (!(outcomes[i].discretisation_error <= nominal.accuracy)) outcomes[i].status = BatchStatus::too_coarse;
   }
 }
 
@@ -180,7 +253,7 @@ Equilibrium BatchSolver::describe(std::size_t index) const {
   }
   lanes_->system.describe(static_cast<int>(index), result);
   result.iterations = of.iterations;
-  result.discretisation_error = nominal_->discretisation_error;
+  result.discretisation_error = of.discretisation_error;
   if (of.converged()) {
     result.status = EquilibriumStatus::converged;
   } else {

@@ -16,15 +16,17 @@ enum class BatchStatus {
   unstable,         ///< stationary, but not a minimum
   departed,         ///< an equilibrium further from the prediction than that is from the nominal: it may have
                     ///< snapped
-  overstretched     ///< a cable is stretched or compressed by more than one can bear
+  overstretched,    ///< a cable is stretched or compressed by more than one can bear
+  too_coarse        ///< the nominal grid leaves it a larger error than was asked for
 };
 
 const char* toString(BatchStatus status);
 
 struct BatchOutcome {
   BatchStatus status = BatchStatus::not_converged;
-  int iterations = 0;     ///< steps after the prediction
-  double residual = 0.0;  ///< as Equilibrium::residual [N]
+  int iterations = 0;                 ///< steps after the prediction
+  double residual = 0.0;              ///< as Equilibrium::residual [N]
+  double discretisation_error = 0.0;  ///< as Equilibrium::discretisation_error [m]
 
   bool converged() const { return status == BatchStatus::converged; }
 };
@@ -34,9 +36,10 @@ struct BatchOutcome {
 /// registers: AVX-512, AVX2 or plain, whichever the processor has.
 ///
 /// Each starts from the nominal shape's first-order response to everything that changed, exact poses of its
-/// clips, and is brought to its own equilibrium on the nominal grid by Newton's method with the exact Hessian
-/// and predicted stresses, then by steps with the last factors until the forces balance as well as
-/// EquilibriumSolver asks for.
+/// clips, and is brought to its own equilibrium, on a grid that leaves the nominal shape half of the error
+/// asked for, by Newton's method with the exact Hessian and predicted stresses, then by steps with the last
+/// factors until the forces balance as well as EquilibriumSolver asks for. Then the error of the grid is
+/// estimated for each, as EquilibriumSolver does, by a step on the grid with every pair of elements merged.
 ///
 /// A harness gives the same numbers, bit for bit, in whatever batch and at whatever place in it. Another
 /// instruction set rounds differently.
@@ -61,8 +64,7 @@ class BatchSolver {
 
   /// Of the harness at `index` of the last batch. Both throw std::out_of_range beyond it.
   const BatchOutcome& outcome(std::size_t index) const;
-  /// All that EquilibriumSolver tells, but for the smallest eigenvalue (0) and the solve time (0); as
-  /// discretisation error that of the nominal shape.
+  /// All that EquilibriumSolver tells, but for the smallest eigenvalue (0) and the solve time (0).
   Equilibrium describe(std::size_t index) const;
 
  private:

@@ -143,6 +143,9 @@ class EquilibriumSolver {
  private:
   friend class BatchSolver;
   const Problem& problem() const;  // throws std::logic_error when there is no equilibrium
+  const EquilibriumOptions& options() const;
+  /// A copy whose shape is brought to `accuracy` [m].
+  EquilibriumSolver refined(double accuracy) const;
 
   struct Impl;
   std::unique_ptr<Impl> impl_;

@@ -361,4 +361,14 @@ const Problem& EquilibriumSolver::problem() const {
   return *impl_->problem;
 }
 
+const EquilibriumOptions& EquilibriumSolver::options() const { return impl_->options; }
+
+EquilibriumSolver EquilibriumSolver::refined(double accuracy) const {
+  EquilibriumSolver finer(*this);
+  finer.impl_->options.accuracy = accuracy;
+  finer.impl_->options.eigenvalue = false;
+  finer.update(Harness(problem().harness));
+  return finer;
+}
+
 }  // namespace cable_variation

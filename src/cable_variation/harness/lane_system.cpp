@@ -35,6 +35,18 @@ bool sameRod(const Cable& a, const Cable& b) {
                     });
 }
 
+// Of the element's nodes, in its cubic polynomials at `place`, 0 to 1.
+std::array<double, kNodes> weightsAt(double place) {
+  std::array<double, kNodes> weights;
+  for (std::size_t a = 0; a < kNodes; ++a) {
+    weights[a] = 1.0;
+    for (std::size_t b = 0; b < kNodes; ++b) {
+      if (b != a) weights[a] *= (place - element::kNodeAt[b]) / (element::kNodeAt[a] - element::kNodeAt[b]);
+    }
+  }
+  return weights;
+}
+
 void refuse(const Problem& problem) {
   const Harness& harness = problem.harness;
   for (std::size_t i = 0; i < problem.topology.stations.size(); ++i) {
@@ -94,20 +106,22 @@ LaneSystem::LaneSystem(const Problem& nominal) : problem_(nominal), spans_(nomin
           input.quaternion[a][0][lane] = q[3];
         }
       }
-      std::fill(&input.stress[0][0][0], &input.stress[0][0][0] + kGauss * 6 * kLanes, 0.0);
-      std::fill(&elements_[spans_[i].first_element + e].rows[0][0],
-                &elements_[spans_[i].first_element + e].rows[0][0] + kDofs * kLanes, 0.0);
     }
   }
   for (int lane = 0; lane < kLanes; ++lane) {
     lanes_.push_back(std::make_unique<Lane>(nominal));
     for (std::size_t i = 0; i < spans_.size(); ++i) loadRod(lane, i);
   }
-  // no motion: the stresses predicted are those there are
-  for (Element& element : elements_) {
-    element::kernel().predict(element.input, element.rows, element.input.stress);
-  }
+  takeStress();
   evaluate(true);
+}
+
+// The stresses there are, for the Hessian: those predicted for no motion.
+void LaneSystem::takeStress() {
+  alignas(64) static constexpr double kNoMotion[kDofs][kLanes] = {};
+  for (Element& element : elements_) {
+    element::kernel().predict(element.input, kNoMotion, element.input.stress);
+  }
 }
 
 void LaneSystem::restart(const LaneSystem& nominal) {
@@ -143,6 +157,43 @@ bool LaneSystem::load(int index, const Harness& harness) {
     }
   }
   return true;
+}
+
+void LaneSystem::merge(const LaneSystem& fine, const Flags& lanes) {
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    if (!lanes[lane]) continue;
+    load(static_cast<int>(lane), fine.lanes_[lane]->harness);
+    lanes_[lane]->configuration.stations = fine.lanes_[lane]->configuration.stations;
+  }
+  // an element's inner nodes lie within the halves
+  static const std::array<std::array<double, kNodes>, 2> kWeights = {
+      weightsAt(2.0 * element::kNodeAt[1]), weightsAt(2.0 * element::kNodeAt[2] - 1.0)};
+  for (std::size_t e = 0; e < elements_.size(); ++e) {
+    element::Input& input = elements_[e].input;
+    const element::Input* const halves[2] = {&fine.elements_[2 * e].input, &fine.elements_[2 * e + 1].input};
+    for (int half = 0; half < 2; ++half) {
+      const int end = half == 0 ? 0 : kNodes - 1, inner = half + 1;
+      const element::Input& of = *halves[half];
+      for (int lane = 0; lane < kLanes; ++lane) {
+        double p[3] = {}, q[4] = {}, norm2 = 0.0;
+        for (std::size_t a = 0; a < kNodes; ++a) {
+          const double weight = kWeights[static_cast<std::size_t>(half)][a];
+          for (int k = 0; k < 3; ++k) p[k] += weight * of.position[a][k][lane];
+          for (int k = 0; k < 4; ++k) q[k] += weight * of.quaternion[a][k][lane];
+        }
+        for (double component : q) norm2 += component * component;
+        for (int k = 0; k < 3; ++k) {
+          input.position[end][k][lane] = of.position[end][k][lane];
+          input.position[inner][k][lane] = p[k];
+        }
+        for (int k = 0; k < 4; ++k) {
+          input.quaternion[end][k][lane] = of.quaternion[end][k][lane];
+          input.quaternion[inner][k][lane] = q[k] / std::sqrt(norm2);
+        }
+      }
+    }
+  }
+  takeStress();
 }
 
 // Lengths, stiffness, rest curvature and weight of a span's elements.

@@ -35,6 +35,13 @@ class LaneSystem {
   /// False, and the lane is as it was: the harness is of another structure.
   bool load(int lane, const Harness& harness);
 
+  /// Instead of load(): the harnesses and shapes in the `lanes` of `fine`, whose grid has two elements for
+  /// each here; read off its polynomials.
+  void merge(const LaneSystem& fine, const Flags& lanes);
+
+  /// The stresses there are as those predicted, in all lanes.
+  void takeStress();
+
   /// Energy, gradient, and with `hessian` the elements' Hessian with the geometric part of the predicted
   /// stresses, factorised together with chains and stations.
   void evaluate(bool hessian);

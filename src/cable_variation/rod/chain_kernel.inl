@@ -178,14 +178,17 @@ void advance(Input& in, const double (*motion)[kLanes], const double* active, do
       // are refused
       const Pack h = 0.25 * turn;
       const Pack c =
-          1.0 -
-          h / 2.0 *
-              (1.0 - h / 12.0 * (1.0 - h / 30.0 * (1.0 - h / 56.0 * (1.0 - h / 90.0 * (1.0 - h / 132.0)))));
+          1.0 - h * (1.0 / 2.0) *
+                    (1.0 - h * (1.0 / 12.0) *
+                               (1.0 - h * (1.0 / 30.0) *
+                                          (1.0 - h * (1.0 / 56.0) *
+                                                     (1.0 - h * (1.0 / 90.0) * (1.0 - h * (1.0 / 132.0))))));
       const Pack s =
-          0.5 *
-          (1.0 - h / 6.0 *
-                     (1.0 - h / 20.0 *
-                                (1.0 - h / 42.0 * (1.0 - h / 72.0 * (1.0 - h / 110.0 * (1.0 - h / 156.0))))));
+          0.5 - h * (1.0 / 12.0) *
+                    (1.0 - h * (1.0 / 20.0) *
+                               (1.0 - h * (1.0 / 42.0) *
+                                          (1.0 - h * (1.0 / 72.0) *
+                                                     (1.0 - h * (1.0 / 110.0) * (1.0 - h * (1.0 / 156.0))))));
       const Pack bx = s * x, by = s * y, bz = s * z;
       double(*q)[kLanes] = in.quaternion[a];
       const Pack w0 = load(q[0] + lane), x0 = load(q[1] + lane), y0 = load(q[2] + lane),

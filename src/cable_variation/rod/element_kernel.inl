@@ -251,8 +251,9 @@ inline void evaluate(const Input& in, Energy& out, Factor* factor, bool given_st
           const double slope_a = kShape.slope[g][a];
           if (row >= column) {
             addBlock(factor->matrix, row, column, lane, (slope_a * kShape.slope[g][c]) * stiff);
-            Mat block = transposeProduct(matrix(maps[a].c), of_b) + transposeProduct(matrix(maps[a].d), of_rate) +
-                        outer(maps[a].c.v, h_theta[c]) + outer(maps[a].d.v, t[c]);
+            Mat block = transposeProduct(matrix(maps[a].c), of_b) +
+                        transposeProduct(matrix(maps[a].d), of_rate) + outer(maps[a].c.v, h_theta[c]) +
+                        outer(maps[a].d.v, t[c]);
             if (a == c) {
               // exp(θ/2) = 1 + θ/2 - |θ|²/8
               const Pack bend = 0.5 * (dot(h_b_gradient, maps[a].c.v) + dot(h_rate_gradient, maps[a].d.v));

@@ -1,4 +1,5 @@
-// Elimination in packed lower triangles, row by row, a matrix in each lane. Included by the kernels, as pack.inl.
+// Elimination in packed lower triangles, row by row, a matrix in each lane. Included by the kernels, as
+// pack.inl.
 
 #include <cable_variation/rod/pack.inl>
 
@@ -9,14 +10,14 @@ namespace {
 constexpr int kPanel = 6;
 
 // Eliminates rows kFirst to kFirst + kPanel - 1 of a matrix of kRows rows: A = L D Lᵀ in them, the Schur
-// complement below. The panel's columns first, row by row, then all that is right of them in tiles of two rows, so
-// that an entry is read and written once for the panel.
+// complement below. The panel's columns first, row by row, then all that is right of them in tiles of two
+// rows, so that an entry is read and written once for the panel.
 template <int kRows, int kFirst>
 inline void eliminatePanel(double (*matrix)[kLanes], double (*inverse_pivot)[kLanes], int lane) {
   constexpr int kEnd = kFirst + kPanel;
-  Pack unit[kPanel][kPanel];           // L of the panel's own rows
+  Pack unit[kPanel][kPanel];  // L of the panel's own rows
   Pack inverse[kPanel];
-  Pack scaled[kRows][kPanel];          // L D of the rows below
+  Pack scaled[kRows][kPanel];  // L D of the rows below
   for (int i = 0; i < kPanel; ++i) {
     double(*row)[kLanes] = matrix + packed(kFirst + i, kFirst);
     Pack value[kPanel];
