@@ -86,7 +86,7 @@ struct BatchSolver::Nominal {
     merged_system = std::make_unique<LaneSystem>(merged);
   }
 
-  // Looser than minimise(), which has no last steps with old factors: leaves some 1e-10 m.
+  // Looser than minimise(), for steps with old factors: leaves 1e-10 m, some 1e-9 m where joints are soft.
   static double toleranceOf(const RodSystem& of) {
     constexpr double kBalance = 1e-8;  // of what the softest bending takes
     double force = 0.0;
