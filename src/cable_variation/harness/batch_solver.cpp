@@ -12,14 +12,18 @@
 namespace cable_variation {
 namespace {
 
-// Steps within which Newton's method is trusted, over the harness's length and in radians; as minimise().
+// Steps within which Newton's method is trusted, over the longest cable and in radians; as minimise().
 constexpr double kLargestShift = 0.25;
 constexpr double kLargestTurn = 0.7;
 // A harness whose last step with a Hessian of its own was larger is not near enough for steps with that one.
 constexpr double kNear = 1e-3;
-// Steps after which what is left is next to nothing, likewise; then the residual may be larger.
-constexpr double kTinyStep = 3e-9;
-constexpr double kTinyStepResidual = 1e3;
+// Steps with a Hessian of their own that do not shrink to this share of the one before will not settle soon.
+constexpr double kShrinks = 0.5;
+// Steps, likewise, after which the error left is below 1e-8 of the cable: one with a new Hessian leaves
+// about its square, one with an old Hessian a part of itself. The residual must only agree, as in minimise().
+constexpr double kFinalNewtonStep = 1e-5;
+constexpr double kFinalStep = 3e-9;
+constexpr double kFinalResidual = 1e3;
 // What an equilibrium may be off the prediction even when that is no motion at all.
 constexpr double kFreeShift = 0.02;
 constexpr double kFreeTurn = 0.1;
@@ -33,9 +37,10 @@ constexpr double kReserve = 0.5;
 // harness feels how its neighbours do.
 struct Plan {
   int steps, hessians;
+  bool patient;  // no other plan comes after it
 };
-constexpr Plan kQuick = {4, 2};
-constexpr Plan kThorough = {8, 8};
+constexpr Plan kQuick = {4, 2, false};
+constexpr Plan kThorough = {8, 8, true};
 
 bool any(const LaneSystem::Flags& flags) {
   return std::any_of(flags.begin(), flags.end(), [](bool flag) { return flag; });
@@ -46,6 +51,7 @@ struct Path {
   double predicted_shift = 0.0, predicted_turn = 0.0;
   double shift = 0.0, turn = 0.0;  // corrections, summed up
   double last_shift = INFINITY, last_turn = INFINITY;
+  bool newton = false;  // the last step had a Hessian of its own
   bool stable = false;
 };
 
@@ -76,7 +82,7 @@ struct BatchSolver::Nominal {
   Nominal(const Problem& of, double accuracy_asked)
       : problem(of),
         merged(problem.harness),
-        tolerance(toleranceOf(*problem.system)),
+        tolerance(residualTolerance(*problem.system)),
         length(largestArcLength(problem.configuration)),
         accuracy(accuracy_asked) {
     merged.setGrid(coarsen(problem.system->grid()));
@@ -84,14 +90,6 @@ struct BatchSolver::Nominal {
     merged.system->evaluate(merged.configuration, RodSystem::Hessian::none);
     system = std::make_unique<LaneSystem>(problem);
     merged_system = std::make_unique<LaneSystem>(merged);
-  }
-
-  // Looser than minimise(), for steps with old factors: leaves 1e-10 m, some 1e-9 m where joints are soft.
-  static double toleranceOf(const RodSystem& of) {
-    constexpr double kBalance = 1e-8;  // of what the softest bending takes
-    double force = 0.0;
-    for (const auto& metric : of.bendingMetric()) force = std::max(force, metric.bend);  // EI (π/L)²
-    return std::max(residualTolerance(of), kBalance * force);
   }
 
   Problem problem;
@@ -187,13 +185,17 @@ void BatchSolver::Lanes::follow(const Plan& plan) {
       if (!active[i]) continue;
       Path& path = paths[i];
       ++outcomes[i].iterations;
+      const double before = std::max(path.last_shift / nominal.length, path.last_turn);
       path.last_shift = system.shift()[i];
       path.last_turn = system.turn()[i];
+      path.newton = hessian;
       path.shift += path.last_shift;
       path.turn += path.last_turn;
       active[i] = path.last_shift < kLargestShift * nominal.length && path.last_turn < kLargestTurn;
-      const bool near = path.last_shift < kNear * nominal.length && path.last_turn < kNear;
-      if (active[i] && step == plan.hessians && !near) {
+      const double size = std::max(path.last_shift / nominal.length, path.last_turn);
+      if (plan.patient) {
+        active[i] = active[i] && size < kShrinks * before;
+      } else if (active[i] && step == plan.hessians && size > kNear) {
         active[i] = false;
         waiting[i] = true;
       }
@@ -206,8 +208,9 @@ bool BatchSolver::Lanes::arrive(std::size_t lane) {
   const Path& path = paths[lane];
   BatchOutcome& outcome = outcomes[lane];
   outcome.residual = system.residual()[lane];
-  const bool tiny = path.last_shift < kTinyStep * nominal.length && path.last_turn < kTinyStep;
-  if (!(outcome.residual <= (tiny ? kTinyStepResidual : 1.0) * nominal.tolerance)) return false;
+  const double largest = path.newton ? kFinalNewtonStep : kFinalStep;
+  const bool final = path.last_shift < largest * nominal.length && path.last_turn < largest;
+  if (!(outcome.residual <= (final ? kFinalResidual : 1.0) * nominal.tolerance)) return false;
   if (!path.stable) {
     outcome.status = BatchStatus::unstable;
   } else if (path.shift > path.predicted_shift + kFreeShift * nominal.length ||
