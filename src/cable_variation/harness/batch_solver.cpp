@@ -194,7 +194,7 @@ void BatchSolver::Lanes::follow(const Plan& plan) {
       active[i] = path.last_shift < kLargestShift * nominal.length && path.last_turn < kLargestTurn;
       const double size = std::max(path.last_shift / nominal.length, path.last_turn);
       if (plan.patient) {
-        active[i] = active[i] && size < kShrinks * before;
+        active[i] = active[i] && (step == 1 || size < kShrinks * before);
       } else if (active[i] && step == plan.hessians && size > kNear) {
         active[i] = false;
         waiting[i] = true;
