@@ -17,8 +17,6 @@ constexpr double kLargestShift = 0.25;
 constexpr double kLargestTurn = 0.7;
 // A harness whose last step with a Hessian of its own was larger is not near enough for steps with that one.
 constexpr double kNear = 1e-3;
-// Steps with a Hessian of their own that do not shrink to this share of the one before will not settle soon.
-constexpr double kShrinks = 0.5;
 // Steps, likewise, after which the error left is below 1e-8 of the cable: one with a new Hessian leaves
 // about its square, one with an old Hessian a part of itself. The residual must only agree, as in minimise().
 constexpr double kFinalNewtonStep = 1e-5;
@@ -40,7 +38,7 @@ struct Plan {
   bool patient;  // no other plan comes after it
 };
 constexpr Plan kQuick = {4, 2, false};
-constexpr Plan kThorough = {8, 8, true};
+constexpr Plan kThorough = {6, 6, true};
 
 bool any(const LaneSystem::Flags& flags) {
   return std::any_of(flags.begin(), flags.end(), [](bool flag) { return flag; });
@@ -106,6 +104,7 @@ struct BatchSolver::Lanes {
   void predict(const Harness* harnesses);
   void follow(const Plan& plan);
   bool arrive(std::size_t lane);
+  void judgeStep(std::size_t lane, int step, const Plan& plan);
   void judgeGrid();
 
   const Nominal& nominal;
@@ -170,37 +169,47 @@ void BatchSolver::Lanes::predict(const Harness* harnesses) {
 void BatchSolver::Lanes::follow(const Plan& plan) {
   waiting.fill(false);
   for (int step = 1; any(active); ++step) {
-    hessian = step <= plan.hessians && step <= plan.steps;
+    // none is expected to be at rest before: then the Hessian need not wait for the forces
+    const bool may_rest = plan.patient || step > plan.hessians;
+    hessian = step <= plan.hessians && !may_rest;
     system.evaluate(hessian);
     for (std::size_t i = 0; i < count; ++i) {
       if (!active[i]) continue;
       if (hessian) paths[i].stable = system.negativePivots()[i] == 0;
       active[i] = !arrive(i);
-      waiting[i] = active[i] && step > plan.steps;
+      waiting[i] = active[i] && step > plan.steps && !plan.patient;
     }
     if (step > plan.steps || !any(active)) break;
+    if (step <= plan.hessians && may_rest) {
+      hessian = true;
+      system.evaluate(true);
+      for (std::size_t i = 0; i < count; ++i) {
+        if (active[i]) paths[i].stable = system.negativePivots()[i] == 0;
+      }
+    }
     system.step();
     system.move(active, step + 1 <= plan.hessians);
     for (std::size_t i = 0; i < count; ++i) {
-      if (!active[i]) continue;
-      Path& path = paths[i];
-      ++outcomes[i].iterations;
-      const double before = std::max(path.last_shift / nominal.length, path.last_turn);
-      path.last_shift = system.shift()[i];
-      path.last_turn = system.turn()[i];
-      path.newton = hessian;
-      path.shift += path.last_shift;
-      path.turn += path.last_turn;
-      active[i] = path.last_shift < kLargestShift * nominal.length && path.last_turn < kLargestTurn;
-      const double size = std::max(path.last_shift / nominal.length, path.last_turn);
-      if (plan.patient) {
-        active[i] = active[i] && (step == 1 || size < kShrinks * before);
-      } else if (active[i] && step == plan.hessians && size > kNear) {
-        active[i] = false;
-        waiting[i] = true;
-      }
+      if (active[i]) judgeStep(i, step, plan);
     }
   }
+}
+
+// Whether a harness can go on after a step, or waits for a more thorough plan.
+void BatchSolver::Lanes::judgeStep(std::size_t lane, int step, const Plan& plan) {
+  Path& path = paths[lane];
+  ++outcomes[lane].iterations;
+  const double before = std::max(path.last_shift / nominal.length, path.last_turn);
+  path.last_shift = system.shift()[lane];
+  path.last_turn = system.turn()[lane];
+  path.newton = hessian;
+  path.shift += path.last_shift;
+  path.turn += path.last_turn;
+  const double size = std::max(path.last_shift / nominal.length, path.last_turn);
+  const bool far = plan.patient ? step > 1 && !(size < before) : step == plan.hessians && size > kNear;
+  const bool trusted = path.last_shift < kLargestShift * nominal.length && path.last_turn < kLargestTurn;
+  active[lane] = trusted && !far;
+  waiting[lane] = trusted && far && !plan.patient;
 }
 
 // Whether the forces on a harness balance; then what it has come to.
