@@ -246,6 +246,8 @@ inline void evaluate(const Input& in, Energy& out, Factor* factor, bool given_st
             transposeProduct(h_b_rate, C) + scaleRows(h_rate, D) + outer(h_rate_gradient, maps[c].c.v);
         const Mat position_rotation = mixed * C;
         const int column = kFirstDof[c];
+        // with the nodes known, so are places in the matrix and the weights
+#pragma GCC unroll 4
         for (int a = 0; a < kNodes; ++a) {
           const int row = kFirstDof[a];
           const double slope_a = kShape.slope[g][a];
