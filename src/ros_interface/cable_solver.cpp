@@ -1,5 +1,6 @@
 #include <ros_interface/cable_solver.h>
 
+#include <ros/callback_queue.h>
 #include <ros/console.h>
 
 #include <ros_interface/scene_loading.h>
@@ -9,20 +10,30 @@ namespace cable_variation_ros {
 CableSolver::CableSolver(ros::NodeHandle node, const CableSolverParameters& parameters)
     : node_(std::move(node)),
       context_(loadScene(parameters.scene)),
-      publisher_(node_),
+      spinning_(*ros::getGlobalCallbackQueue()),
+      interference_(node_),
+      publisher_(node_, interference_),
       variation_(node_),
+      envelope_(node_, interference_),
       diagnostics_(node_, context_),
       solve_equilibrium_(node_, context_),
       analyze_stability_(node_, context_, variation_, OutputDirectory(parameters.output_directory)),
       get_scene_(node_, context_),
       load_scene_(node_, context_),
-      design_(node_, context_) {
+      design_(node_, context_),
+      check_forbidden_region_(node_, context_, interference_, OutputDirectory(parameters.output_directory)),
+      envelope_runner_(context_, envelope_, spinning_, OutputDirectory(parameters.output_directory),
+                       parameters.threads),
+      generate_envelope_(node_, envelope_runner_),
+      generate_envelope_action_(node_, envelope_runner_) {
   context_.onChange([this] { show(); });
   show();
   if (parameters.live) {
     follower_ = std::make_unique<TfFollower>(node_, context_, parameters.live_rate_hz);
   }
 }
+
+CableSolver::~CableSolver() { spinning_.stop(); }  // runs that wait for it end
 
 void CableSolver::show() {
   const cable_variation::Equilibrium& equilibrium = context_.equilibrium();
@@ -31,6 +42,8 @@ void CableSolver::show() {
   }
   publisher_.publish(context_);
   analyze_stability_.contextChanged();
+  envelope_.contextChanged(context_);
+  check_forbidden_region_.contextChanged();
   diagnostics_.contextChanged();
 }
 

@@ -5,39 +5,54 @@
 #include <ros/node_handle.h>
 
 #include <ros_interface/analyze_stability_service.h>
+#include <ros_interface/check_forbidden_region_service.h>
 #include <ros_interface/design_service.h>
+#include <ros_interface/envelope_publisher.h>
+#include <ros_interface/envelope_runner.h>
+#include <ros_interface/generate_envelope_action.h>
+#include <ros_interface/generate_envelope_service.h>
 #include <ros_interface/get_scene_service.h>
+#include <ros_interface/interference_publisher.h>
 #include <ros_interface/load_scene_service.h>
 #include <ros_interface/node_parameters.h>
 #include <ros_interface/solve_equilibrium_service.h>
 #include <ros_interface/solver_context.h>
 #include <ros_interface/solver_diagnostics.h>
 #include <ros_interface/solver_publisher.h>
+#include <ros_interface/spinning_thread.h>
 #include <ros_interface/tf_follower.h>
 #include <ros_interface/variation_publisher.h>
 
 namespace cable_variation_ros {
 
-/// The node cable_solver: equilibria on request, and the design in force to be seen.
+/// The node cable_solver: equilibria, stability and envelopes on request, and the design in force to be seen.
 class CableSolver {
  public:
   /// Throws what loadScene() throws. A scene whose harness has no equilibrium is
   /// accepted: diagnostics and the log say so.
   CableSolver(ros::NodeHandle node, const CableSolverParameters& parameters);
+  ~CableSolver();
 
  private:
   void show();
 
   ros::NodeHandle node_;
   SolverContext context_;
+  SpinningThread spinning_;
+  InterferencePublisher interference_;
   SolverPublisher publisher_;
   VariationPublisher variation_;
+  EnvelopePublisher envelope_;
   SolverDiagnostics diagnostics_;
   SolveEquilibriumService solve_equilibrium_;
   AnalyzeStabilityService analyze_stability_;
   GetSceneService get_scene_;
   LoadSceneService load_scene_;
   DesignService design_;
+  CheckForbiddenRegionService check_forbidden_region_;
+  EnvelopeRunner envelope_runner_;
+  GenerateEnvelopeService generate_envelope_;
+  GenerateEnvelopeServer generate_envelope_action_;
   std::unique_ptr<TfFollower> follower_;
 };
 

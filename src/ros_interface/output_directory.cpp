@@ -42,12 +42,21 @@ void OutputDirectory::checkName(const std::string& name) {
                               std::to_string(kLongestName) + " of them");
 }
 
-std::string OutputDirectory::fileFor(const std::string& name, const std::string& extension) const {
+std::string OutputDirectory::pathOf(const std::string& name, const std::string& extension) const {
   checkName(name);
+  return std::filesystem::path(path_) / (name + extension);
+}
+
+void OutputDirectory::make() const {
   std::error_code error;
   std::filesystem::create_directories(path_, error);
   if (error) throw std::runtime_error("folder '" + path_ + "' cannot be made: " + error.message());
-  return std::filesystem::path(path_) / (name + extension);
+}
+
+std::string OutputDirectory::fileFor(const std::string& name, const std::string& extension) const {
+  std::string file = pathOf(name, extension);
+  make();
+  return file;
 }
 
 }  // namespace cable_variation_ros

@@ -18,9 +18,13 @@ class OutputDirectory {
   /// nothing outside it: letters, digits, _ - and . (not first), at most 100.
   static void checkName(const std::string& name);
 
-  /// The path of the file `name` + `extension` in the folder, which is made if it
-  /// is not there. Throws checkName()'s, and std::runtime_error that names the
-  /// folder if it cannot be made.
+  /// The path of the file `name` + `extension` in the folder, there or not. Throws checkName()'s.
+  std::string pathOf(const std::string& name, const std::string& extension) const;
+
+  /// Makes the folder if it is not there. Throws std::runtime_error that names it if it cannot be made.
+  void make() const;
+
+  /// pathOf() in a folder that is there. Throws as both.
   std::string fileFor(const std::string& name, const std::string& extension) const;
 
  private:

@@ -47,6 +47,7 @@ void SolverContext::take(EquilibriumSolver solver, Design design, Harness harnes
   design_ = std::move(design);
   harness_ = std::move(harness);
   equilibrium_ = std::move(equilibrium);
+  ++design_number_;
   notify();
 }
 
@@ -85,6 +86,11 @@ void SolverContext::move(const ComponentPoses& moved) {
   equilibrium_ = solver_.update(harness_);
   if (!equilibrium_.converged()) equilibrium_ = solver_.solve(harness_);
   notify();
+}
+
+SolverContext::Snapshot SolverContext::snapshot() const {
+  return {design_, moved_, solver_, evaluator_ ? evaluator_->parts() : cable_variation::ComponentParts(),
+          design_number_};
 }
 
 SolverContext::Trial SolverContext::solve(const DesignValues& values, const ComponentPoses& moved,

@@ -207,6 +207,33 @@ TEST(DesignRate, AVariableAtItsNominalChangesNothing) {
   EXPECT_LT((numbersOf(a, a) - numbersOf(b, a)).cwiseAbs().maxCoeff(), 1e-12);
 }
 
+// A component that is carried by another and carries clips, moved as motions do: by its pose in the world.
+TEST(DesignRate, OfARigidMotionIsTheDerivativeByThePose) {
+  const Scene scene = manyVariables();
+  const Pose pose{{0.4, -0.3, 0.2}, Eigen::Quaterniond(Eigen::AngleAxisd(0.8, Vector3d(0.6, 0.0, 0.8)))};
+  const ComponentPoses moved{{"engine", pose}};
+  const DesignValues values{{"engine_t0", 0.004}, {"engine_r1", 0.1}};
+  const auto rates = rigidMotionRates(scene, values, moved, "engine");
+  const Harness at = harnessAt(scene, values, moved);
+  for (int k = 0; k < 6; ++k) {
+    const auto with = [&](double step) {
+      const Vector3d along = Vector3d::Unit(k % 3);
+      Pose there = pose;
+      if (k < 3)
+        there.position += step * along;
+      else
+        there.orientation = so3::exp(step * along) * pose.orientation;
+      return ComponentPoses{{"engine", there}};
+    };
+    const VectorXd harness =
+        centralDifference([&](double h) { return numbersOf(harnessAt(scene, values, with(h)), at); }, 2e-4);
+    expectClose(numbersOf(rates[static_cast<std::size_t>(k)].harness, at), harness,
+                "motion " + std::to_string(k));
+    EXPECT_GT(harness.cwiseAbs().maxCoeff(), 0.0);
+  }
+  EXPECT_THROW(rigidMotionRates(scene, values, moved, "world"), std::invalid_argument);
+}
+
 TEST(DesignRate, TellsOnlyWhatChanges) {
   const Scene scene = manyVariables();
   const DesignRate turn = designRates(scene, {}, {}, {0}).front();  // clip_turn

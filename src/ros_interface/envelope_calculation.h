@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cable_variation/GenerateEnvelope.h>
+
+#include <ros_interface/background_run.h>
+#include <ros_interface/envelope_publisher.h>
+#include <ros_interface/envelope_task.h>
+#include <ros_interface/output_directory.h>
+#include <ros_interface/solver_context.h>
+
+namespace cable_variation_ros {
+
+struct EnvelopeOutcome {
+  cable_variation::GenerateEnvelopeResponse response;  ///< all but the status
+  EnvelopeView view;
+};
+
+/// An envelope with its clearances, its surface, its files and what is to be seen of it. Touches nothing but
+/// the files, which are written last. Throws RequestError without an equilibrium, cable_variation::Cancelled
+/// when `control` says so, std::invalid_argument for what the core refuses, std::runtime_error for a file.
+EnvelopeOutcome calculateEnvelope(const EnvelopeTask& task, const SolverContext::Snapshot& snapshot,
+                                  const OutputDirectory& output, RunControl& control);
+
+}  // namespace cable_variation_ros

@@ -1,0 +1,36 @@
+#include <ros_interface/envelope_files.h>
+
+#include <filesystem>
+
+#include <cable_variation/report/envelope_urdf.h>
+#include <cable_variation/report/output_file.h>
+#include <cable_variation/report/stl.h>
+#include <cable_variation/variation/forbidden_region.h>
+
+namespace cable_variation_ros {
+
+EnvelopeFiles envelopeFiles(const OutputDirectory& output, const std::string& name,
+                            const cable_variation::Scene& scene, const cable_variation::Envelope& envelope,
+                            const cable_variation::OuterSurface& surface) {
+  EnvelopeFiles files;
+  files.mesh = output.pathOf(name, ".stl");
+  files.urdf = output.pathOf(name, ".urdf");
+  files.region = output.pathOf(name, ".obj");
+  const std::filesystem::path folder = std::filesystem::path(files.urdf).parent_path();
+  cable_variation::EnvelopeUrdfOptions options;
+  options.name = name;
+  options.folder = "file://" + folder.string();
+  const cable_variation::EnvelopeUrdf urdf = envelopeUrdf(envelope.frames.front(), surface.mesh, options);
+  files.contents = {{files.mesh, cable_variation::binaryStl(surface.mesh, "tolerance envelope " + name)},
+                    {files.region, regionText(forbiddenRegion(scene, envelope))}};
+  for (const auto& mesh : urdf.meshes) files.contents.emplace_back(folder / mesh.name, mesh.contents);
+  files.contents.emplace_back(files.urdf, urdf.text);  // last: who finds it finds the meshes it names
+  return files;
+}
+
+void write(const EnvelopeFiles& files, const OutputDirectory& output) {
+  output.make();
+  for (const auto& [path, contents] : files.contents) cable_variation::writeFile(path, contents);
+}
+
+}  // namespace cable_variation_ros
