@@ -92,6 +92,7 @@ void LaneSystem::evaluateStations(int index, bool hessian) {
   }
   if (!hessian) return;
   std::vector<Eigen::Vector3d> moment;
+  moment.reserve(force.size());
   for (const Vector6d& of : force) moment.emplace_back(of.tail<3>());
   lane.unknowns.addCurvature(lane.configuration, lane.effects, std::move(moment), lane.curvature);
   factoriseStations(index);
