@@ -8,11 +8,15 @@
 
 namespace cable_variation {
 
-DiscretisationError estimateDiscretisation(const RodSystem& fine, RodSystem& coarse,
-                                           const Configuration& on_coarse, bool stable) {
+double errorOfFiner(double difference, double length) {
   constexpr double kOrderTwo = 3.0;
   constexpr double kOrderThree = 7.0;
   constexpr double kAsymptotic = 2e-4;  // of the length: above it the order cannot be counted on
+  return difference / (difference > kAsymptotic * length ? kOrderTwo : kOrderThree);
+}
+
+DiscretisationError estimateDiscretisation(const RodSystem& fine, RodSystem& coarse,
+                                           const Configuration& on_coarse, bool stable) {
   // Away from its own equilibrium the coarse grid's stiffness against a neutral motion is not zero, but small
   // of either sign: up to this share of the bending stiffness.
   constexpr double kLargestShift = 1e-2;
@@ -42,8 +46,7 @@ DiscretisationError estimateDiscretisation(const RodSystem& fine, RodSystem& coa
   for (const auto& nodes : step.spans) {
     difference = std::max(difference, nodes.topRows<3>().colwise().norm().maxCoeff());
   }
-  const double length = largestArcLength(on_coarse);
-  error.centreline = difference / (difference > kAsymptotic * length ? kOrderTwo : kOrderThree);
+  error.centreline = errorOfFiner(difference, largestArcLength(on_coarse));
   return error;
 }
 

@@ -13,6 +13,10 @@ struct DiscretisationError {
       contribution;  ///< per span and pair of elements: energy the pair's halves differ by [J]
 };
 
+/// The error of a grid whose equilibrium differs by `difference` [m] from that with every pair of elements
+/// merged, on cables of `length` [m]: what a method of the order that can be counted on leaves.
+double errorOfFiner(double difference, double length);
+
 /// Compares the equilibrium of `fine`, also given as `on_coarse`, with that of `coarse`,
 /// the same harness on the grid with every pair of elements merged: one Newton
 /// step there, at every node, inner ones too, since shapes are read between the

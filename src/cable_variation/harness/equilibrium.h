@@ -101,6 +101,8 @@ struct EquilibriumOptions {
   int max_iterations = 400;  ///< per start
 };
 
+struct Problem;
+
 /// Finds the shape that a harness takes.
 ///
 /// Which one, when several are stable: solve() takes the one of lowest energy
@@ -142,6 +144,12 @@ class EquilibriumSolver {
   std::vector<double> eigenvalueRates(const std::vector<HarnessRate>& variables);
 
  private:
+  friend class BatchSolver;
+  const Problem& problem() const;  // throws std::logic_error when there is no equilibrium
+  const EquilibriumOptions& options() const;
+  /// A copy whose shape is brought to `accuracy` [m].
+  EquilibriumSolver refined(double accuracy) const;
+
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };

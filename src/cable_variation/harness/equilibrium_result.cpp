@@ -8,32 +8,28 @@
 #include <cable_variation/rod/profile.h>
 
 namespace cable_variation {
-namespace {
 
-CableShape describeCable(const Harness& harness, const Topology& topology, const RodSystem& system,
-                         const Configuration& configuration, std::size_t cable) {
+CableShape describeCable(const Harness& harness, const Topology& topology, const Grid& grid,
+                         const std::vector<StationConfiguration>& stations, std::size_t cable,
+                         const std::function<Boundary(std::size_t, std::size_t)>& at) {
   CableShape shape;
   shape.cable = harness.cables[cable].name;
-  for (const SectionAt& at : harness.cables[cable].sections)
-    shape.radius = std::max(shape.radius, at.section.radius);
+  for (const SectionAt& section : harness.cables[cable].sections)
+    shape.radius = std::max(shape.radius, section.section.radius);
   const RodProfile profile(harness.cables[cable]);
   for (std::size_t index : topology.cable_spans[cable]) {
     const Span& span = topology.spans[index];
-    const double left = configuration.stations[span.left].arc_length;
-    const double length = configuration.stations[span.right].arc_length - left;
-    const auto& boundaries = system.grid()[index];
-    const SpanConfiguration& nodes = configuration.spans[index];
-    for (std::size_t k = 0; k < boundaries.size(); ++k) {
-      const double s = left + boundaries[k] * length;
-      shape.points.push_back(shapePoint(s, {nodes.positions[3 * k], nodes.orientations[3 * k]},
-                                        system.sectionForce(index, k),
+    const double left = stations[span.left].arc_length;
+    const double length = stations[span.right].arc_length - left;
+    for (std::size_t k = 0; k < grid[index].size(); ++k) {
+      const double s = left + grid[index][k] * length;
+      const Boundary boundary = at(index, k);
+      shape.points.push_back(shapePoint(s, boundary.pose, boundary.section_force,
                                         profile.at(insideSpan(s, left, length)), harness.gravity));
     }
   }
   return shape;
 }
-
-}  // namespace
 
 double insideSpan(double arc_length, double start, double length) {
   return std::clamp(arc_length, start + 1e-9 * length, start + (1.0 - 1e-9) * length);
@@ -43,7 +39,13 @@ std::vector<CableShape> describeShapes(const Harness& harness, const Topology& t
                                        const RodSystem& system, const Configuration& configuration) {
   std::vector<CableShape> shapes;
   for (std::size_t c = 0; c < harness.cables.size(); ++c) {
-    shapes.push_back(describeCable(harness, topology, system, configuration, c));
+    shapes.push_back(describeCable(harness, topology, system.grid(), configuration.stations, c,
+                                   [&](std::size_t span, std::size_t boundary) -> Boundary {
+                                     const SpanConfiguration& nodes = configuration.spans[span];
+                                     return {
+                                         {nodes.positions[3 * boundary], nodes.orientations[3 * boundary]},
+                                         system.sectionForce(span, boundary)};
+                                   }));
   }
   return shapes;
 }
@@ -99,14 +101,24 @@ void describe(const Harness& harness, const Topology& topology, const RodSystem&
               const Configuration& configuration, Equilibrium& result) {
   result.energy = system.energy();
   result.residual = system.residual();
+  std::vector<std::array<Vector6d, 2>> end_force;
+  for (std::size_t i = 0; i < topology.spans.size(); ++i) {
+    end_force.push_back({system.endForce(i, 0), system.endForce(i, 1)});
+  }
+  describeReactions(harness, topology, configuration.stations, end_force, result);
+}
+
+void describeReactions(const Harness& harness, const Topology& topology,
+                       const std::vector<StationConfiguration>& stations,
+                       const std::vector<std::array<Vector6d, 2>>& end_force, Equilibrium& result) {
   std::vector<std::array<Wrench, 2>> ends;
   for (std::size_t i = 0; i < topology.spans.size(); ++i) {
     ends.emplace_back();
     for (int end = 0; end < 2; ++end) {
       const std::size_t station = end == 0 ? topology.spans[i].left : topology.spans[i].right;
-      const Vector6d force = system.endForce(i, end);
-      ends.back()[static_cast<std::size_t>(end)] = {
-          force.head<3>(), configuration.stations[station].pose.orientation * force.tail<3>()};
+      const Vector6d& force = end_force[i][static_cast<std::size_t>(end)];
+      ends.back()[static_cast<std::size_t>(end)] = {force.head<3>(),
+                                                    stations[station].pose.orientation * force.tail<3>()};
     }
   }
   std::vector<Wrench> loads(topology.stations.size());
@@ -121,8 +133,8 @@ void describe(const Harness& harness, const Topology& topology, const RodSystem&
     r.name = name;
     r.force = needs[station].force;
     r.moment = needs[station].moment;
-    r.arc_length = configuration.stations[station].arc_length;
-    r.section = configuration.stations[station].pose;
+    r.arc_length = stations[station].arc_length;
+    r.section = stations[station].pose;
     return r;
   };
   result.joint_reactions.clear();

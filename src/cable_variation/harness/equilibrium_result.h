@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 
 #include <cable_variation/harness/equilibrium.h>
 #include <cable_variation/harness/rod_system.h>
@@ -10,6 +11,16 @@ namespace cable_variation {
 /// The solved cables, from a system that holds the gradient at `configuration`.
 std::vector<CableShape> describeShapes(const Harness& harness, const Topology& topology,
                                        const RodSystem& system, const Configuration& configuration);
+
+/// A section at an element boundary: its pose, and RodSystem::sectionForce().
+struct Boundary {
+  Pose pose;
+  Vector6d section_force;
+};
+/// One solved cable, from what is at its spans' element boundaries: at(span, boundary).
+CableShape describeCable(const Harness& harness, const Topology& topology, const Grid& grid,
+                         const std::vector<StationConfiguration>& stations, std::size_t cable,
+                         const std::function<Boundary(std::size_t, std::size_t)>& at);
 
 /// `arc_length` of a span's end moved inside it, so that at a step of the section it is on the span's side
 /// [m].
@@ -40,6 +51,11 @@ struct Wrench {
 std::vector<Wrench> stationWrenches(const Topology& topology,
                                     const std::vector<std::array<Wrench, 2>>& span_ends,
                                     const std::vector<Wrench>& loads);
+
+/// Fills the reactions of `result`. @param end_force per span, RodSystem::endForce()
+void describeReactions(const Harness& harness, const Topology& topology,
+                       const std::vector<StationConfiguration>& stations,
+                       const std::vector<std::array<Vector6d, 2>>& end_force, Equilibrium& result);
 
 /// Fills reactions, energy and residual of `result` from a solved system, which
 /// must hold the gradient at `configuration`.

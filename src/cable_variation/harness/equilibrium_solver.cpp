@@ -357,4 +357,19 @@ std::vector<double> EquilibriumSolver::eigenvalueRates(const std::vector<Harness
   return impl_->eigenvalueRates(variables);
 }
 
+const Problem& EquilibriumSolver::problem() const {
+  if (!impl_->problem || impl_->unstable) throw std::logic_error("there is no equilibrium to start from");
+  return *impl_->problem;
+}
+
+const EquilibriumOptions& EquilibriumSolver::options() const { return impl_->options; }
+
+EquilibriumSolver EquilibriumSolver::refined(double accuracy) const {
+  EquilibriumSolver finer(*this);
+  finer.impl_->options.accuracy = accuracy;
+  finer.impl_->options.eigenvalue = false;
+  finer.update(Harness(problem().harness));
+  return finer;
+}
+
 }  // namespace cable_variation

@@ -103,11 +103,7 @@ class Descent {
     return true;
   }
 
-  double tolerance() const {
-    double force = 0.0;
-    for (const auto& metric : metric_) force = std::max(force, metric.bend);  // EI (π/L)²
-    return std::max(20.0 * system_.residualNoise(), 1e-10 * force);
-  }
+  double tolerance() const { return residualTolerance(system_); }
 
   // A full Newton step so small that it ends the iteration, unless the residual or a negative pivot says
   // otherwise.
@@ -255,6 +251,12 @@ class Descent {
 };
 
 }  // namespace
+
+double residualTolerance(const RodSystem& system) {
+  double force = 0.0;
+  for (const auto& metric : system.bendingMetric()) force = std::max(force, metric.bend);  // EI (π/L)²
+  return std::max(20.0 * system.residualNoise(), 1e-10 * force);
+}
 
 Minimum minimise(RodSystem& system, Configuration& configuration, const MinimiseOptions& options) {
   return Descent(system, configuration, options).run();

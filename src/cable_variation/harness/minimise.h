@@ -27,6 +27,10 @@ struct Minimum {
 /// factorised Hessian of the last step before.
 Minimum minimise(RodSystem& system, Configuration& configuration, const MinimiseOptions& options = {});
 
+/// The largest out-of-balance force that counts as none: rounding, or a share of what the softest bending
+/// takes [N]. After an evaluation.
+double residualTolerance(const RodSystem& system);
+
 /// The shift that counts as none: small enough not to slow Newton's method,
 /// large enough to let motions that cost no energy (a round cable turning in
 /// ball joints) pass as stable.

@@ -58,6 +58,8 @@ class RodSystem {
   /// Largest out-of-balance force: forces, moments over the section's radius of
   /// gyration, and configurational forces [N].
   double residual() const;
+  /// What a span's moments are measured over in a residual [m].
+  double gyration(std::size_t span) const;
   /// The span with the largest out-of-balance force at its inner nodes.
   std::size_t worstSpan() const;
   /// The size of the forces that must cancel in it, with rounding: a residual below this is noise.

@@ -112,6 +112,8 @@ double RodSystem::residual(std::size_t span) const {
                   nodes.bottomRows<3>().cwiseAbs().maxCoeff() / spans_[span].gyration);
 }
 
+double RodSystem::gyration(std::size_t span) const { return spans_[span].gyration; }
+
 double RodSystem::residual() const {
   double largest = 0.0;
   for (std::size_t i = 0; i < spans_.size(); ++i) {

@@ -95,6 +95,79 @@ std::vector<std::size_t> parentsFirst(const Topology& topology) {
   return order;
 }
 
+// Whether clips and joints are of the same kinds, one by one; there are as many in both.
+bool sameKinds(const Harness& a, const Harness& b) {
+  const auto same = [](const auto& x, const auto& y) {
+    return std::equal(x.begin(), x.end(), y.begin(),
+                      [](const ClipFreedom& f, const ClipFreedom& g) { return f.kind == g.kind; });
+  };
+  for (std::size_t i = 0; i < a.clips.size(); ++i) {
+    const ClipConstraint& p = a.clips[i].constraint;
+    const ClipConstraint& q = b.clips[i].constraint;
+    if (p.slides != q.slides || !same(p.translation, q.translation) || !same(p.rotation, q.rotation)) {
+      return false;
+    }
+  }
+  return std::equal(a.joints.begin(), a.joints.end(), b.joints.begin(),
+                    [](const Joint& x, const Joint& y) { return x.type == y.type; });
+}
+
+// Arc lengths of stations while they are collected; fails when a station is claimed at two places.
+class ArcLengths {
+ public:
+  ArcLengths(const Topology& topology, const Harness& harness)
+      : topology_(topology), harness_(harness), values_(topology.stations.size(), NAN) {}
+
+  void put(std::size_t station, std::size_t cable, double arc_length) {
+    double& value = values_[station];
+    consistent_ = consistent_ && topology_.stations[station].cable == cable;
+    if (std::isnan(value)) value = arc_length;
+    consistent_ = consistent_ && std::abs(value - arc_length) <= kSamePlace * harness_.cables[cable].length;
+  }
+
+  /// The stations that nothing but a break of the cable's properties can claim.
+  void putBreaks(std::size_t cable) {
+    std::vector<std::size_t> left;
+    for (std::size_t station : topology_.cable_stations[cable]) {
+      if (std::isnan(values_[station])) left.push_back(station);
+    }
+    const Cable& of = harness_.cables[cable];
+    if (left.empty() && of.sections.size() < 2 && of.rest_curvature.size() < 2) return;
+    std::size_t used = 0;
+    for (double s : RodProfile(of).breaks()) {
+      const auto& stations = topology_.cable_stations[cable];
+      const bool taken = std::any_of(stations.begin(), stations.end(), [&](std::size_t station) {
+        return std::abs(values_[station] - s) <= kSamePlace * of.length;
+      });
+      if (taken) continue;
+      if (used == left.size()) {
+        consistent_ = false;
+        return;
+      }
+      values_[left[used++]] = s;
+    }
+    consistent_ = consistent_ && used == left.size();
+  }
+
+  std::optional<std::vector<double>> take() {
+    for (std::size_t c = 0; c < topology_.cable_stations.size(); ++c) {
+      const auto& stations = topology_.cable_stations[c];
+      for (std::size_t i = 1; i < stations.size(); ++i) {
+        const double step = values_[stations[i]] - values_[stations[i - 1]];
+        consistent_ = consistent_ && step > kSamePlace * harness_.cables[c].length;
+      }
+    }
+    if (!consistent_) return std::nullopt;
+    return std::move(values_);
+  }
+
+ private:
+  const Topology& topology_;
+  const Harness& harness_;
+  std::vector<double> values_;
+  bool consistent_ = true;
+};
+
 }  // namespace
 
 Topology makeTopology(const Harness& harness) {
@@ -149,20 +222,36 @@ bool sameStructure(const Harness& a, const Topology& of_a, const Harness& b, con
       return false;
     }
   }
-  const auto sameKinds = [](const auto& x, const auto& y) {
-    return std::equal(x.begin(), x.end(), y.begin(),
-                      [](const ClipFreedom& f, const ClipFreedom& g) { return f.kind == g.kind; });
-  };
-  for (std::size_t i = 0; i < a.clips.size(); ++i) {
-    const ClipConstraint& p = a.clips[i].constraint;
-    const ClipConstraint& q = b.clips[i].constraint;
-    if (p.slides != q.slides || !sameKinds(p.translation, q.translation) ||
-        !sameKinds(p.rotation, q.rotation)) {
-      return false;
+  return sameKinds(a, b);
+}
+
+std::optional<std::vector<double>> stationArcLengths(const Harness& nominal, const Topology& topology,
+                                                     const Harness& harness) {
+  if (nominal.cables.size() != harness.cables.size() || nominal.clips.size() != harness.clips.size() ||
+      nominal.joints.size() != harness.joints.size() || nominal.loads.size() != harness.loads.size() ||
+      !sameKinds(nominal, harness)) {
+    return std::nullopt;
+  }
+  ArcLengths found(topology, harness);
+  for (std::size_t c = 0; c < harness.cables.size(); ++c) {
+    found.put(topology.cable_stations[c].front(), c, 0.0);
+    found.put(topology.cable_stations[c].back(), c, harness.cables[c].length);
+  }
+  for (std::size_t i = 0; i < harness.clips.size(); ++i) {
+    found.put(topology.clip_station[i], harness.clips[i].cable, harness.clips[i].arc_length);
+  }
+  for (std::size_t i = 0; i < harness.joints.size(); ++i) {
+    const Joint& joint = harness.joints[i];
+    found.put(topology.joint_parent[i], joint.parent, joint.parent_arc_length);
+    found.put(topology.joint_child[i], joint.child, joint.child_arc_length);
+  }
+  for (std::size_t i = 0; i < topology.stations.size(); ++i) {
+    for (std::size_t load : topology.stations[i].loads) {
+      found.put(i, harness.loads[load].cable, harness.loads[load].arc_length);
     }
   }
-  return std::equal(a.joints.begin(), a.joints.end(), b.joints.begin(),
-                    [](const Joint& x, const Joint& y) { return x.type == y.type; });
+  for (std::size_t c = 0; c < harness.cables.size(); ++c) found.putBreaks(c);
+  return found.take();
 }
 
 }  // namespace cable_variation

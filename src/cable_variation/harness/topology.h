@@ -45,4 +45,10 @@ Topology makeTopology(const Harness& harness);
 /// differ in numbers only.
 bool sameStructure(const Harness& a, const Topology& of_a, const Harness& b, const Topology& of_b);
 
+/// The arc lengths [m] of `harness`, station by station as in the topology of `nominal`, without a topology
+/// of its own; of a sliding clip, where its search starts. Nothing when the harness is of another structure.
+/// That it is valid otherwise is not looked at.
+std::optional<std::vector<double>> stationArcLengths(const Harness& nominal, const Topology& topology,
+                                                     const Harness& harness);
+
 }  // namespace cable_variation

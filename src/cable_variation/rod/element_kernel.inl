@@ -4,16 +4,10 @@
 // one processor can be linked in place of another's.
 
 #include <cable_variation/rod/element_kernel.h>
+#include <cable_variation/rod/elimination.inl>
 
 namespace cable_variation::element {
 namespace {
-
-typedef double Pack
-    __attribute__((vector_size(8 * CABLE_VARIATION_WIDTH), aligned(8 * CABLE_VARIATION_WIDTH)));
-constexpr int kWidth = CABLE_VARIATION_WIDTH;
-
-inline Pack load(const double* lane) { return *reinterpret_cast<const Pack*>(lane); }
-inline void store(double* lane, Pack value) { *reinterpret_cast<Pack*>(lane) = value; }
 
 struct Vec {
   Pack x, y, z;
@@ -97,9 +91,6 @@ constexpr Shape makeShape() {
 }
 constexpr Shape kShape = makeShape();
 
-// Of a lower triangle.
-constexpr int packed(int row, int column) { return row * (row + 1) / 2 + column; }
-
 inline Vec loadVec(const double (*rows)[kLanes], int lane) {
   return {load(rows[0] + lane), load(rows[1] + lane), load(rows[2] + lane)};
 }
@@ -165,7 +156,6 @@ inline NodeMap nodeMap(const Input& in, const GaussState& s, int g, int a, int l
 inline Vec mapTransposed(Quat c, Vec g) { return c.w * g + cross(g, c.v); }
 inline Mat matrix(Quat c) { return {{c.w, -c.v.z, c.v.y}, {c.v.z, c.w, -c.v.x}, {-c.v.y, c.v.x, c.w}}; }
 
-inline void add(double* lane, Pack value) { store(lane, load(lane) + value); }
 inline void addVec(double (*rows)[kLanes], int lane, Vec v) {
   add(rows[0] + lane, v.x);
   add(rows[1] + lane, v.y);
@@ -249,24 +239,23 @@ inline void evaluate(const Input& in, Energy& out, Factor* factor, bool given_st
       for (int c = 0; c < kNodes; ++c) {
         const Mat C = matrix(maps[c].c);
         const Mat D = matrix(maps[c].d);
-        const Mat of_b = h_bb * C + h_b_rate * D;
-        const Mat of_rate = transposeProduct(h_b_rate, C) + scaleRows(h_rate, D);
+        // the scale of an interpolated quaternion changes b at second order: here by that of c, below of a
+        const Mat of_b =
+            h_bb * C + h_b_rate * D + outer(h_b_gradient, maps[c].c.v) + outer(h_rate_gradient, maps[c].d.v);
+        const Mat of_rate =
+            transposeProduct(h_b_rate, C) + scaleRows(h_rate, D) + outer(h_rate_gradient, maps[c].c.v);
         const Mat position_rotation = mixed * C;
-        const Vec r_c = -1.0 * maps[c].c.v;
-        const Vec r_rate_c = -1.0 * maps[c].d.v;
         const int column = kFirstDof[c];
+        // with the nodes known, so are places in the matrix and the weights
+#pragma GCC unroll 4
         for (int a = 0; a < kNodes; ++a) {
           const int row = kFirstDof[a];
           const double slope_a = kShape.slope[g][a];
           if (row >= column) {
             addBlock(factor->matrix, row, column, lane, (slope_a * kShape.slope[g][c]) * stiff);
-            Mat block =
-                transposeProduct(matrix(maps[a].c), of_b) + transposeProduct(matrix(maps[a].d), of_rate);
-            // the scale of an interpolated quaternion changes b at second order
-            const Vec r_a = -1.0 * maps[a].c.v;
-            const Vec r_rate_a = -1.0 * maps[a].d.v;
-            block = block + (-1.0) * (outer(r_a, h_theta[c]) + outer(h_theta[a], r_c) +
-                                      outer(r_rate_a, t[c]) + outer(t[a], r_rate_c));
+            Mat block = transposeProduct(matrix(maps[a].c), of_b) +
+                        transposeProduct(matrix(maps[a].d), of_rate) + outer(maps[a].c.v, h_theta[c]) +
+                        outer(maps[a].d.v, t[c]);
             if (a == c) {
               // exp(θ/2) = 1 + θ/2 - |θ|²/8
               const Pack bend = 0.5 * (dot(h_b_gradient, maps[a].c.v) + dot(h_rate_gradient, maps[a].d.v));
@@ -329,22 +318,9 @@ void factorise(Factor& factor, const double (*shift)[kLanes], int* negative_pivo
   for (int lane = 0; lane < kLanes; ++lane) negative_pivots[lane] = 0;
   for (int lane = 0; lane < kLanes; lane += kWidth) {
     for (int i = 0; i < kDofs; ++i) add(factor.matrix[packed(i, i)] + lane, load(shift[i] + lane));
-    for (int k = 0; k < kInner; ++k) {
-      const Pack inverse_pivot = 1.0 / load(factor.matrix[packed(k, k)] + lane);
-      store(factor.inverse_pivot[k] + lane, inverse_pivot);
-      Pack column[kDofs];
-      for (int i = k + 1; i < kDofs; ++i) {
-        column[i] = load(factor.matrix[packed(i, k)] + lane);
-        store(factor.matrix[packed(i, k)] + lane, column[i] * inverse_pivot);
-      }
-      for (int i = k + 1; i < kDofs; ++i) {
-        const Pack l = column[i] * inverse_pivot;
-        for (int j = k + 1; j <= i; ++j) {
-          double* entry = factor.matrix[packed(i, j)] + lane;
-          store(entry, load(entry) - l * column[j]);
-        }
-      }
-    }
+    static_assert(kInner == 2 * kPanel, "a panel per inner node");
+    eliminatePanel<kDofs, 0>(factor.matrix, factor.inverse_pivot, lane);
+    eliminatePanel<kDofs, kPanel>(factor.matrix, factor.inverse_pivot, lane);
   }
   for (int k = 0; k < kInner; ++k) {
     for (int lane = 0; lane < kLanes; ++lane)
@@ -354,22 +330,32 @@ void factorise(Factor& factor, const double (*shift)[kLanes], int* negative_pivo
 
 void condense(const Factor& factor, double (*rhs)[kLanes]) {
   for (int lane = 0; lane < kLanes; lane += kWidth) {
+    Pack value[kInner];
     for (int k = 0; k < kInner; ++k) {
-      const Pack value = load(rhs[k] + lane);
-      for (int i = k + 1; i < kDofs; ++i) {
-        store(rhs[i] + lane, load(rhs[i] + lane) - load(factor.matrix[packed(i, k)] + lane) * value);
-      }
+      Pack of = load(rhs[k] + lane);
+      for (int j = 0; j < k; ++j) of -= load(factor.matrix[packed(k, j)] + lane) * value[j];
+      value[k] = of;
+      store(rhs[k] + lane, of);
+    }
+    for (int i = kInner; i < kDofs; ++i) {
+      Pack of = load(rhs[i] + lane);
+      for (int k = 0; k < kInner; ++k) of -= load(factor.matrix[packed(i, k)] + lane) * value[k];
+      store(rhs[i] + lane, of);
     }
   }
 }
 
 void expand(const Factor& factor, double (*x)[kLanes]) {
   for (int lane = 0; lane < kLanes; lane += kWidth) {
-    for (int k = kInner - 1; k >= 0; --k) {
-      Pack value = load(x[k] + lane) * load(factor.inverse_pivot[k] + lane);
-      for (int i = k + 1; i < kDofs; ++i)
-        value -= load(factor.matrix[packed(i, k)] + lane) * load(x[i] + lane);
-      store(x[k] + lane, value);
+    Pack value[kInner];
+    for (int k = 0; k < kInner; ++k) value[k] = load(x[k] + lane) * load(factor.inverse_pivot[k] + lane);
+    for (int i = kDofs - 1; i >= kInner; --i) {
+      const Pack known = load(x[i] + lane);
+      for (int k = 0; k < kInner; ++k) value[k] -= load(factor.matrix[packed(i, k)] + lane) * known;
+    }
+    for (int i = kInner - 1; i >= 0; --i) {
+      store(x[i] + lane, value[i]);
+      for (int k = 0; k < i; ++k) value[k] -= load(factor.matrix[packed(i, k)] + lane) * value[i];
     }
   }
 }
