@@ -17,18 +17,16 @@ using Eigen::Vector3d;
 
 namespace {
 
-// Adds weight times the products of each column with itself.
-void addProducts(const ArcVariation::Positions& columns, double weight,
-                 Eigen::Matrix<double, 6, Eigen::Dynamic>& sums) {
-  for (Index i = 0; i < columns.cols(); ++i) {
-    const double x = columns(0, i), y = columns(1, i), z = columns(2, i);
-    sums(0, i) += weight * x * x;
-    sums(1, i) += weight * x * y;
-    sums(2, i) += weight * x * z;
-    sums(3, i) += weight * y * y;
-    sums(4, i) += weight * y * z;
-    sums(5, i) += weight * z * z;
-  }
+// Adds weight times the products of the step with itself.
+template <class Column>
+void addProducts(const Vector3d& step, double weight, Column&& sums) {
+  const Vector3d weighted = weight * step;
+  sums[0] += weighted.x() * step.x();
+  sums[1] += weighted.x() * step.y();
+  sums[2] += weighted.x() * step.z();
+  sums[3] += weighted.y() * step.y();
+  sums[4] += weighted.y() * step.z();
+  sums[5] += weighted.z() * step.z();
 }
 
 }  // namespace
@@ -62,13 +60,16 @@ void ArcVariation::add(const Positions& positions) {
                                 " sections; expected finite ones of " + std::to_string(mean_.cols()));
   }
   ++count_;
-  const auto n = static_cast<double>(count_);
-  const Positions step = positions - mean_;
-  mean_ += step / n;
-  addProducts(step, (n - 1.0) / n, scatter_);
-  const Positions along = alongFrames(positions);
-  low_ = low_.cwiseMin(along);
-  high_ = high_.cwiseMax(along);
+  const double share = 1.0 / static_cast<double>(count_);
+  for (Index i = 0; i < positions.cols(); ++i) {
+    const Vector3d position = positions.col(i), step = position - mean_.col(i);
+    mean_.col(i) += share * step;
+    addProducts(step, 1.0 - share, scatter_.col(i));
+    const Vector3d along =
+        frames_.empty() ? position : Vector3d(frames_[static_cast<std::size_t>(i)] * position);
+    low_.col(i) = low_.col(i).cwiseMin(along);
+    high_.col(i) = high_.col(i).cwiseMax(along);
+  }
 }
 
 void ArcVariation::merge(const ArcVariation& later) {
@@ -79,21 +80,15 @@ void ArcVariation::merge(const ArcVariation& later) {
   if (later.count_ == 0) return;
   const double before = static_cast<double>(count_), added = static_cast<double>(later.count_);
   count_ += later.count_;
-  const Positions step = later.mean_ - mean_;
-  mean_ += step * (added / (before + added));
-  scatter_ += later.scatter_;
-  addProducts(step, before * added / (before + added), scatter_);
+  const double share = added / (before + added);
+  for (Index i = 0; i < mean_.cols(); ++i) {
+    const Vector3d step = later.mean_.col(i) - mean_.col(i);
+    mean_.col(i) += share * step;
+    scatter_.col(i) += later.scatter_.col(i);
+    addProducts(step, before * share, scatter_.col(i));
+  }
   low_ = low_.cwiseMin(later.low_);
   high_ = high_.cwiseMax(later.high_);
-}
-
-ArcVariation::Positions ArcVariation::alongFrames(const Positions& positions) const {
-  if (frames_.empty()) return positions;
-  Positions along(3, positions.cols());
-  for (Index i = 0; i < positions.cols(); ++i) {
-    along.col(i).noalias() = frames_[static_cast<std::size_t>(i)] * positions.col(i);
-  }
-  return along;
 }
 
 std::vector<SectionVariation> ArcVariation::variation() const {

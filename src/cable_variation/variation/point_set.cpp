@@ -20,8 +20,9 @@ constexpr std::uint32_t kIndexBits = 30;  // kMostSamples fits
 static_assert(kMostSamples <= 1ull << kIndexBits);
 
 // Owen's nested uniform scrambling: the flip of each binary digit depends on all digits before it. A block of
-// 128 random bits has the flips of seven levels of that tree, 127 nodes, under one prefix.
-constexpr std::uint32_t kLevels = 7, kDigits = 56;
+// 128 random bits has the flips of seven levels of that tree, 127 nodes, under one prefix. As many digits as
+// tell all points of a coordinate apart, and a few more.
+constexpr std::uint32_t kLevels = 7, kDigits = 35;
 
 std::uint64_t scrambled(std::uint64_t digits, const CounterRandom& random, std::uint32_t dimension) {
   std::uint64_t result = 0;
@@ -110,13 +111,19 @@ double PointSet::latinCoordinate(std::uint64_t index, std::uint32_t dimension) c
 // A permutation computed by index: a Feistel network on a table of rows_ x columns_ cells (Black and Rogaway,
 // Ciphers with arbitrary finite domains, 2002), walked until it comes to one of the count_ cells in use.
 std::uint64_t PointSet::shuffled(std::uint64_t index, std::uint32_t dimension) const {
-  constexpr std::uint32_t kRounds = 8;
+  constexpr std::uint32_t kRounds = 6;
+  // a random number below `bound`, the same for the same half and round
+  const auto pick = [&](std::uint64_t half, std::uint32_t round, std::uint64_t bound) {
+    return shuffle_.block(half << 3 | round, dimension)[0] * bound >> 32;
+  };
   std::uint64_t cell = index;
   do {
     std::uint64_t left = cell % rows_, right = cell / rows_;
     for (std::uint32_t round = 0; round < kRounds; round += 2) {
-      left = (left + shuffle_.bits(right << 3 | round, dimension) % rows_) % rows_;
-      right = (right + shuffle_.bits(left << 3 | (round + 1), dimension) % columns_) % columns_;
+      left += pick(right, round, rows_);
+      if (left >= rows_) left -= rows_;
+      right += pick(left, round + 1, columns_);
+      if (right >= columns_) right -= columns_;
     }
     cell = left + rows_ * right;
   } while (cell >= count_);

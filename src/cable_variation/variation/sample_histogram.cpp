@@ -47,10 +47,11 @@ void SampleHistogram::merge(const SampleHistogram& other) {
   max_ = std::max(max_, other.max_);
   count_ += other.count_;
   reach(other.exponent_);
+  const int shift = std::min(exponent_ - other.exponent_, 63);
   for (std::size_t i = 0; i < other.bins_.size(); ++i) {
     if (other.bins_[i] == 0) continue;
     const std::int64_t bin = other.first_ + static_cast<std::int64_t>(i);
-    bins_[static_cast<std::size_t>((bin >> (exponent_ - other.exponent_)) - first_)] += other.bins_[i];
+    bins_[static_cast<std::size_t>((bin >> shift) - first_)] += other.bins_[i];
   }
 }
 
@@ -69,7 +70,7 @@ void SampleHistogram::reach(int exponent) {
   exponent = std::max(exponent, exponent_);
   while (spanOf(min_, max_, exponent) >= kBins) ++exponent;
   if (exponent == exponent_ && binOf(min_) >= first_ && binOf(max_) < first_ + kBins) return;
-  const int shift = exponent - exponent_;
+  const int shift = std::min(exponent - exponent_, 63);  // beyond, all that is left is the sign
   const std::vector<std::uint64_t> before = std::move(bins_);
   const std::int64_t first_before = first_;
   exponent_ = exponent;
