@@ -69,8 +69,8 @@ std::string contributionBars(const Scene& scene, const SimulationStatistics& sta
   order.resize(std::min(order.size(), kMostBars));
   std::vector<Bar> bars;
   for (const std::size_t j : order) {
-    bars.push_back(
-        {scene.design_variables[statistics.variables[j]].name, std::max(value(j), 0.0), percent(value(j))});
+    bars.push_back({scene.design_variables[statistics.variables[j]].name, std::max(value(j), 0.0),
+                    percent(std::round(1e3 * value(j)) / 1e3)});
   }
   return barChart(bars);
 }

@@ -26,8 +26,13 @@ ReportCell index(double value) { return {figure(value, 3), 0.0, value < 1.0}; }
 // A small share in parts per million too.
 std::string rejects(double share) {
   const std::string text = percent(share);
-  return share > 0.0 && share < 0.01 ? text + " (" + figure(1e6 * share, 3) + " ppm)" : text;
+  return share > 0.0 && share < 0.01 ? text + " (" + figure(1e6 * share, 5) + " ppm)" : text;
 }
+
+// What is less than half a thousandth is nothing here.
+double inThousandths(double value) { return std::round(1e3 * value) / 1e3; }
+
+std::string gain(double factor) { return factor > 1000.0 ? "> 1000" : figure(factor, 3); }
 
 std::string confidenceText(const SimulationStatistics& statistics) {
   const double confidence = statistics.statistics.empty() ? 0.95 : statistics.statistics.front().confidence;
@@ -58,8 +63,8 @@ ReportTable meanTable(const Scene& scene, const SimulationStatistics& statistics
                           plain(between(s.sigma_interval, unit.factor)),
                           cell(s.min),
                           cell(s.max),
-                          plain(figure(s.skewness, 3)),
-                          plain(figure(s.kurtosis, 3)),
+                          plain(figure(inThousandths(s.skewness), 3)),
+                          plain(figure(inThousandths(s.kurtosis), 3)),
                           plain(unit.name),
                           plain(std::to_string(s.count)),
                           {std::to_string(s.missing), 0.0, s.missing > 0},
@@ -130,9 +135,9 @@ ReportTable controlTable(const Scene& scene, const SimulationStatistics& statist
       const ControlledEstimate& c = *s.controlled;
       row.insert(row.end(),
                  {plain(figure(unit.factor * c.mean)), plain(between(c.mean_interval, unit.factor)),
-                  plain(figure(c.mean_gain, 3)), plain(figure(unit.factor * c.sigma)),
-                  plain(between(c.sigma_interval, unit.factor)), plain(figure(c.sigma_gain, 3)),
-                  plain(unit.name), plain("")});
+                  plain(gain(c.mean_gain)), plain(figure(unit.factor * c.sigma)),
+                  plain(between(c.sigma_interval, unit.factor)), plain(gain(c.sigma_gain)), plain(unit.name),
+                  plain("")});
     } else {
       row.insert(row.end(), 6, plain(""));
       row.push_back(plain(unit.name));
@@ -151,7 +156,7 @@ ReportTable shareTable(const Scene& scene, const SimulationStatistics& statistic
     std::vector<ReportCell> row{plain(scene.design_variables[statistics.variables[j]].name)};
     for (std::size_t i = 0; i < statistics.measures.size(); ++i) {
       const double value = share(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
-      row.push_back({percent(value), std::isnan(value) ? 0.0 : std::max(value, 0.0), false});
+      row.push_back({percent(inThousandths(value)), std::isnan(value) ? 0.0 : std::max(value, 0.0), false});
     }
     table.rows.push_back(row);
   }

@@ -2,21 +2,14 @@
 
 namespace cable_variation {
 
-namespace {
-
-constexpr double kBinomial[5][5] = {
-    {1, 0, 0, 0, 0}, {1, 1, 0, 0, 0}, {1, 2, 1, 0, 0}, {1, 3, 3, 1, 0}, {1, 4, 6, 4, 1}};
-
-std::array<double, 5> powersOf(double x) { return {1.0, x, x * x, x * x * x, x * x * x * x}; }
-
-}  // namespace
-
 void JointMoments::add(double x, double y) {
   const double n = static_cast<double>(count_ + 1);
   moveTo(mean_x_ + (x - mean_x_) / n, mean_y_ + (y - mean_y_) / n);
-  const auto dx = powersOf(x - mean_x_), dy = powersOf(y - mean_y_);
-  for (std::size_t i = 0; i <= kOrder; ++i) {
-    for (std::size_t j = 0; i + j <= kOrder; ++j) sums_[i][j] += dx[i] * dy[j];
+  const double dx = x - mean_x_, dy = y - mean_y_;
+  double power_x = 1.0;
+  for (std::size_t i = 0; i <= kOrder; ++i, power_x *= dx) {
+    double power = power_x;
+    for (std::size_t j = 0; i + j <= kOrder; ++j, power *= dy) sums_[i][j] += power;
   }
   ++count_;
 }
@@ -43,21 +36,20 @@ double JointMoments::central(int i, int j) const {
   return sums_[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] / static_cast<double>(count_);
 }
 
-// Sums about another point by the binomial theorem, the highest orders first: they need the lower ones.
+// The binomial theorem for each variable, Σ (x + d)^i from Σ x^a, by Pascal's triangle in place: 40 additions
+// instead of 70 terms.
 void JointMoments::moveTo(double mean_x, double mean_y) {
-  const auto dx = powersOf(mean_x_ - mean_x), dy = powersOf(mean_y_ - mean_y);
+  const double dx = mean_x_ - mean_x, dy = mean_y_ - mean_y;
   mean_x_ = mean_x;
   mean_y_ = mean_y;
-  if (count_ == 0) return;
-  for (std::size_t i = kOrder + 1; i-- > 0;) {
-    for (std::size_t j = kOrder - i + 1; j-- > 0;) {
-      double sum = 0.0;
-      for (std::size_t a = 0; a <= i; ++a) {
-        for (std::size_t b = 0; b <= j; ++b) {
-          sum += kBinomial[i][a] * kBinomial[j][b] * dx[i - a] * dy[j - b] * sums_[a][b];
-        }
-      }
-      sums_[i][j] = sum;
+  for (std::size_t j = 0; j < kOrder; ++j) {
+    for (std::size_t pass = 1; pass + j <= kOrder; ++pass) {
+      for (std::size_t i = kOrder - j; i >= pass; --i) sums_[i][j] += dx * sums_[i - 1][j];
+    }
+  }
+  for (std::size_t i = 0; i < kOrder; ++i) {
+    for (std::size_t pass = 1; pass + i <= kOrder; ++pass) {
+      for (std::size_t j = kOrder - i; j >= pass; --j) sums_[i][j] += dy * sums_[i][j - 1];
     }
   }
 }
