@@ -3,7 +3,7 @@
 #include <cable_variation/variation/simulation_statistics.h>
 
 #include <cmath>
-#include <limits>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
 
@@ -107,6 +107,18 @@ TEST(SimulationStatistics, BlocksMergeIntoTheSameFigures) {
     EXPECT_EQ(once.statistics[i].histogram.counts, blocks.statistics[i].histogram.counts);
   }
   EXPECT_LT((once.contributions.first_order - blocks.contributions.first_order).norm(), 1e-12);
+}
+
+// σ of normal measures to ±0.5 % at 95 %: (1.96/0.005)²/2 = 76,800 samples with a value; a tenth has none.
+TEST(SimulationStatistics, SamplesForAWantedErrorOfAllMeasures) {
+  const SimulationStatistics s = simulate(true, kSamples);
+  EXPECT_NEAR(static_cast<double>(samplesNeeded(s, 0.005)), 76832.0 / 0.9, 5000.0);
+  EXPECT_EQ(samplesNeeded(s, 0.05), kSamples);
+  EXPECT_EQ(samplesNeeded(s, 1e-6), kMostSamples);
+  EXPECT_THROW(samplesNeeded(s, 0.0), std::invalid_argument);
+  SimulationStatistics nothing_yet = s;
+  nothing_yet.statistics[1] = MeasureAccumulator({}, {}).statistics(0.95);
+  EXPECT_EQ(samplesNeeded(nothing_yet, 0.05), 2 * kSamples);
 }
 
 TEST(SimulationStatistics, WithoutALinearModelThereIsNoControl) {

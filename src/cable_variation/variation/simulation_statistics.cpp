@@ -1,6 +1,7 @@
 #include <cable_variation/variation/simulation_statistics.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace cable_variation {
@@ -24,6 +25,16 @@ const char* toString(SampleOutcome outcome) {
   constexpr std::array<const char*, kSampleOutcomes> kNames = {"solved", "snapped", "not_converged",
                                                                "impossible"};
   return kNames[static_cast<std::size_t>(outcome)];
+}
+
+std::uint64_t samplesNeeded(const SimulationStatistics& statistics, double error) {
+  double most = static_cast<double>(statistics.samples);
+  for (const MeasureStatistics& measure : statistics.statistics) {
+    const auto done = static_cast<double>(statistics.samples);
+    const auto needed = static_cast<double>(samplesNeeded(measure, error));  // with a value
+    most = std::max(most, needed == 0.0 ? 2.0 * done : needed * done / static_cast<double>(measure.count));
+  }
+  return static_cast<std::uint64_t>(std::min(std::ceil(most), static_cast<double>(kMostSamples)));
 }
 
 SimulationAccumulator::SimulationAccumulator(const Scene& scene, const std::vector<std::size_t>& variables,

@@ -49,6 +49,13 @@ struct SimulationStatistics {
   std::uint64_t count(SampleOutcome outcome) const { return outcomes[static_cast<std::size_t>(outcome)]; }
 };
 
+/// So many samples, in all, make the standard deviation of every measure known to `error` of itself, to each
+/// side, at the confidence of the statistics: those done, if it is so already. A measure without enough
+/// values asks for twice the samples done, one that did not vary for none more; never more than kMostSamples.
+/// An estimate from few samples is rough, and one that looks good by chance ends too soon: ask with 1,000 or
+/// more. Throws std::invalid_argument: an error outside (0, 1).
+std::uint64_t samplesNeeded(const SimulationStatistics& statistics, double error);
+
 /// Collects samples, in constant memory. For the same figures whatever the number of threads, fill one for
 /// each fixed block of samples, in their order, and merge them in the order of the blocks.
 class SimulationAccumulator {
