@@ -11,24 +11,42 @@ from cable_variation.msg import Status
 UNITS = {'deg': math.pi / 180, 'mm': 1e-3, 'rad': 1.0, 'm': 1.0, '': 1.0}
 
 
+# What people use: name and size in SI.
+PEOPLE = {'m': ('mm', 1e-3), 'rad': ('deg', math.pi / 180), 'Pa': ('MPa', 1e6), '1': ('%', 1e-2)}
+
+
+def people(unit):
+    return PEOPLE.get(unit, (unit, 1.0))
+
+
+def number(value, unit, digits=4, sign=False):
+    """A value in SI as a number in the unit that people use, without the unit."""
+    return ('%+.*g' if sign else '%.*g') % (digits, value / people(unit)[1])
+
+
+def parse_value(text):
+    """A number in SI units, mm or deg, as an SI value."""
+    digits = text.rstrip('abcdefghijklmnopqrstuvwxyz ')
+    unit = text[len(digits):].strip()
+    try:
+        return float(digits) * UNITS[unit]
+    except (ValueError, KeyError):
+        raise argparse.ArgumentTypeError("'%s': expected a number, in SI units, mm or deg" % text)
+
+
 def parse_variable(text):
     """NAME=VALUE, in SI units, mm or deg, as (name, SI value)."""
     name, equals, value = text.partition('=')
-    number = value.rstrip('abcdefghijklmnopqrstuvwxyz ')
-    unit = value[len(number):].strip()
-    if not equals or unit not in UNITS:
+    if not equals:
         raise argparse.ArgumentTypeError("'%s': expected NAME=VALUE, in SI units, mm or deg" % text)
-    try:
-        return name, float(number) * UNITS[unit]
-    except ValueError:
-        raise argparse.ArgumentTypeError("'%s': '%s' is not a number" % (text, number))
+    return name, parse_value(value)
 
 
-def start(name):
+def start(name, disable_signals=False):
     """Becomes a node; SystemExit without a ROS master."""
     if not rosgraph.is_master_online():
         sys.exit('no ROS master at %s' % rosgraph.get_master_uri())
-    rospy.init_node(name, anonymous=True)
+    rospy.init_node(name, anonymous=True, disable_signals=disable_signals)
 
 
 def call(node, service, kind, **request):
@@ -70,3 +88,13 @@ def table(header, rows, left=1):
         cells = [cell.ljust(width) if i < left else cell.rjust(width)
                  for i, (cell, width) in enumerate(zip(row, widths))]
         print(('  ' + '  '.join(cells)).rstrip())
+
+
+def print_wrapped(text):
+    line = ' '
+    for word in text.split():
+        if len(line) + 1 + len(word) > WIDTH and line.strip():
+            print(line)
+            line = '   '
+        line += ' ' + word
+    print(line)

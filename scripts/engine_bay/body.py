@@ -6,11 +6,11 @@ firewall in the middle. The bay is 0.9 m long, 1.4 m wide and 0.6 m high.
 
 import numpy as np
 
-from .curves import bead, smoothstep, spline
+from .curves import bead, filleted, smoothstep, spline
 from .mesh import join
 from .part import PAINT, PLASTIC, PRIMER, STEEL, Part
 from .polygon import circle, rectangle, rounded, slot
-from .solids import bolts, box, lathe, plate, sheet, sweep, tube
+from .solids import bolts, box, lathe, pipe, plate, sheet, sweep, tube
 
 
 def firewall():
@@ -77,6 +77,21 @@ def side_member():
     )
 
 
+def strut_brace():
+    """From the right strut tower to the front crossmember, over the filter's duct and the cooler hose."""
+    tower, front = np.array([0.277, -0.517, 0.492]), np.array([0.868, -0.245, 0.552])
+    along = (front - tower) * [1, 1, 0] / np.linalg.norm((front - tower)[:2])
+
+    def above(foot, forward, z):
+        return [*(foot + forward * along)[:2], z]
+
+    bends = [above(tower, 0.055, 0.529), above(front, -0.050, 0.541)]
+    rod = pipe(filleted([above(tower, 0.012, 0.498), *bends, above(front, -0.010, 0.558)], 0.03, 6), 0.008, 24)
+    turn = np.degrees(np.arctan2(along[1], along[0]))
+    feet = [plate(rectangle(0.056, 0.030, 0.009), 0, 0.004, bevel=0.001).rotated("z", turn).moved(foot) for foot in (tower, front)]
+    return join(rod, feet, bolts([above(tower, -0.016, 0.496), above(front, 0.016, 0.556)], width=0.013))
+
+
 def upper_rail():
     path = spline([[0.0, 0.665, 0.545], [0.3, 0.660, 0.543], [0.6, 0.645, 0.535], [0.86, 0.600, 0.520]], 16)
     rail = sweep(rectangle(0.042, 0.052, 0.010), path)
@@ -104,5 +119,6 @@ def parts():
         Part("cowl", join(cowl(), grommets), PRIMER),
         Part("side_members", join(member, member.mirrored()), PRIMER),
         Part("body_fixings", join(fixings, fixings.mirrored()), STEEL),
+        Part("strut_brace", strut_brace(), STEEL),
         Part("brake_booster", brake_booster(), PLASTIC),
     ]

@@ -11,6 +11,7 @@
 #include <ros_interface/component_deviations.h>
 #include <ros_interface/component_variation_markers.h>
 #include <ros_interface/design_values.h>
+#include <ros_interface/name_lookup.h>
 #include <ros_interface/names.h>
 #include <ros_interface/request_status.h>
 #include <ros_interface/sensitivity_markers.h>
@@ -30,25 +31,6 @@ using cable_variation::StabilityOptions;
 using cable_variation::Status;
 
 namespace {
-
-template <typename Named>
-std::vector<std::size_t> indicesOf(const std::vector<std::string>& names, const std::vector<Named>& all,
-                                   const char* kind) {
-  std::vector<std::size_t> indices;
-  for (const std::string& name : names) {
-    const auto found =
-        std::find_if(all.begin(), all.end(), [&](const Named& each) { return each.name == name; });
-    if (found == all.end()) {
-      throw RequestError(Status::NOT_FOUND, std::string("no ") + kind + " named '" + name + "'");
-    }
-    const auto index = static_cast<std::size_t>(found - all.begin());
-    if (std::find(indices.begin(), indices.end(), index) != indices.end()) {
-      throw std::invalid_argument(std::string(kind) + " '" + name + "' is given twice");
-    }
-    indices.push_back(index);
-  }
-  return indices;
-}
 
 /// The column whose effect is to be shown: the one asked for, or the one worth
 /// looking at first; none if components are shown.

@@ -1,5 +1,6 @@
 #include <ros_interface/bag_motion.h>
 
+#include <iomanip>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -84,8 +85,8 @@ class Recording {
                             last.orientation.coeffs() == pose.orientation.coeffs();
       if (repeated) return;
       std::ostringstream text;
-      text << where() << " is at " << time << " s, not after the one before at " << samples_.back().time
-           << " s";
+      text << std::setprecision(9) << where() << " is at " << time << " s, not after the one before at "
+           << samples_.back().time << " s";
       throw std::invalid_argument(text.str());
     }
     samples_.push_back({time, pose});
@@ -118,8 +119,13 @@ std::vector<TimedPose> readBagMotion(const std::string& path, const std::string&
     Recording recording(frame, parent);
     for (const rosbag::MessageInstance& message : view) recording.add(message);
     return recording.finish();
+  } catch (const rosbag::BagUnindexedException&) {
+    throw std::invalid_argument("bag '" + path + "': has no index, as when a recording ends early; " +
+                                "rosbag reindex makes one");
   } catch (const rosbag::BagException& error) {
     throw std::invalid_argument("bag '" + path + "': " + error.what());
+  } catch (const ros::Exception& error) {  // a message that does not fit its type
+    throw std::invalid_argument("bag '" + path + "', topic '" + name + "': " + error.what());
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument("bag '" + path + "', topic '" + name + "': " + error.what());
   }

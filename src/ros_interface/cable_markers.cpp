@@ -1,9 +1,9 @@
 #include <ros_interface/cable_markers.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include <ros_interface/marker_colours.h>
 #include <ros_interface/names.h>
 
 namespace cable_variation_ros {
@@ -16,12 +16,6 @@ namespace {
 constexpr double kLargestBend = 2.0 * M_PI / 180.0;  // of one segment [rad]: invisible in RViz's light
 constexpr double kStep = 0.001;                      // at which the shape is looked at [m]
 constexpr std::size_t kMostSteps = 4000;
-
-/// Readable on grey metal; red means interference.
-const std::array<Eigen::Vector4d, 6> kColors = {
-    Eigen::Vector4d(0.95, 0.52, 0.08, 1.0), Eigen::Vector4d(0.98, 0.80, 0.20, 1.0),
-    Eigen::Vector4d(0.16, 0.56, 0.92, 1.0), Eigen::Vector4d(0.25, 0.75, 0.42, 1.0),
-    Eigen::Vector4d(0.68, 0.45, 0.90, 1.0), Eigen::Vector4d(0.20, 0.78, 0.80, 1.0)};
 
 constexpr char kSegment[] = "package://cable_variation/meshes/cable_segment.obj";
 
@@ -78,7 +72,7 @@ visualization_msgs::MarkerArray cableMarkers(const cable_variation::Equilibrium&
   visualization_msgs::MarkerArray array;
   if (!equilibrium.converged()) return array;
   for (std::size_t i = 0; i < equilibrium.shapes.size(); ++i) {
-    MarkerGroup group(kCableMarkers + harness.cables[i].name, kWorldFrame, kColors[i % kColors.size()]);
+    MarkerGroup group(kCableMarkers + harness.cables[i].name, kWorldFrame, cableColour(i));
     addCable(group, equilibrium.shapes[i], harness.cables[i], {});
     array.markers.insert(array.markers.end(), group.markers().begin(), group.markers().end());
   }

@@ -9,7 +9,8 @@ namespace cable_variation_ros {
 CableSolver::CableSolver(ros::NodeHandle node, const CableSolverParameters& parameters)
     : node_(std::move(node)),
       context_(loadScene(parameters.scene)),
-      publisher_(node_),
+      interference_(node_),
+      publisher_(node_, interference_),
       variation_(node_),
       diagnostics_(node_, context_),
       solve_equilibrium_(node_, context_),

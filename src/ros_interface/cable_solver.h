@@ -7,6 +7,7 @@
 #include <ros_interface/analyze_stability_service.h>
 #include <ros_interface/design_service.h>
 #include <ros_interface/get_scene_service.h>
+#include <ros_interface/interference_publisher.h>
 #include <ros_interface/load_scene_service.h>
 #include <ros_interface/node_parameters.h>
 #include <ros_interface/solve_equilibrium_service.h>
@@ -30,6 +31,7 @@ class CableSolver {
 
   ros::NodeHandle node_;
   SolverContext context_;
+  InterferencePublisher interference_;
   SolverPublisher publisher_;
   VariationPublisher variation_;
   SolverDiagnostics diagnostics_;

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include <ros_interface/label_placing.h>
+#include <ros_interface/marker_colours.h>
 #include <ros_interface/marker_shapes.h>
 #include <ros_interface/names.h>
 
@@ -13,7 +15,6 @@ using cable_variation::MeasureValue;
 
 namespace {
 
-const Eigen::Vector4d kRed(0.93, 0.10, 0.12, 1.0);
 const Eigen::Vector4d kNeutral(0.90, 0.94, 0.98, 1.0);
 constexpr double kBall = 0.0016;       // radius [m]
 constexpr double kLine = 0.0006;       // radius [m]
@@ -25,33 +26,50 @@ bool interferes(const Measure& measure, double distance) {
   return distance < 0.0 || (measure.lower && distance < *measure.lower);
 }
 
-/// "D_CAR 4.0 mm at s = 231 mm"
-std::string textOf(const Measure& measure, const MeasureValue& value) {
-  const double millimetres = 1e3 * value.value;
-  const int decimals = std::abs(millimetres) < 100.0 ? 1 : 0;
-  char text[64];
-  std::snprintf(text, sizeof text, " %.*f mm at s = %.0f mm", decimals, millimetres, 1e3 * value.arc_length);
-  return measure.name + text;
-}
-
 }  // namespace
 
-visualization_msgs::MarkerArray interferenceMarkers(const cable_variation::Scene& scene,
-                                                    const std::vector<std::size_t>& measures,
-                                                    const std::vector<MeasureValue>& values) {
-  visualization_msgs::MarkerArray array;
+std::string distanceText(double distance, double arc_length) {
+  const double millimetres = 1e3 * distance;
+  const int decimals = std::abs(millimetres) < 100.0 ? 1 : 0;
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f mm at s = %.0f mm", decimals, millimetres, 1e3 * arc_length);
+  return text;
+}
+
+std::vector<DistanceMark> distanceMarks(const cable_variation::Scene& scene,
+                                        const std::vector<std::size_t>& measures,
+                                        const std::vector<MeasureValue>& values) {
+  std::vector<DistanceMark> marks;
   for (std::size_t i = 0; i < measures.size(); ++i) {
     const Measure& measure = scene.measures[measures[i]];
     const MeasureValue& value = values[i];
     if (measure.type != Measure::Type::distance || !value.has_place || !value.has_other) continue;
-    MarkerGroup group(kInterferenceMarkers + measure.name, kWorldFrame,
-                      interferes(measure, value.value) ? kRed : kNeutral);
-    group.addSphere(value.point, kBall);
-    group.addSphere(value.other, kBall);
-    group.addCylinder(value.point, value.other, kLine);
-    const Eigen::Vector3d above = value.point + kTextAbove * Eigen::Vector3d::UnitZ();
-    group.addCylinder(value.point, above, kLeader);
-    group.addText(above + 0.7 * kTextHeight * Eigen::Vector3d::UnitZ(), textOf(measure, value), kTextHeight);
+    DistanceMark mark;
+    mark.marker_namespace = kInterferenceMarkers + measure.name;
+    mark.point = value.point;
+    mark.other = value.other;
+    mark.text = measure.name + " " + distanceText(value.value, value.arc_length);
+    mark.interferes = interferes(measure, value.value);
+    marks.push_back(mark);
+  }
+  return marks;
+}
+
+visualization_msgs::MarkerArray interferenceMarkers(const std::vector<DistanceMark>& marks,
+                                                    const visualization_msgs::MarkerArray& others) {
+  LabelPlacing labels;
+  labels.keep(others);
+  visualization_msgs::MarkerArray array;
+  for (const DistanceMark& mark : marks) {
+    MarkerGroup group(mark.marker_namespace, kWorldFrame, mark.interferes ? kInterferenceRed : kNeutral);
+    group.addSphere(mark.point, kBall);
+    group.addSphere(mark.other, kBall);
+    group.addCylinder(mark.point, mark.other, kLine);
+    const Eigen::Vector3d half_line = 0.7 * kTextHeight * Eigen::Vector3d::UnitZ();
+    const Eigen::Vector3d text =
+        labels.place(mark.point + kTextAbove * Eigen::Vector3d::UnitZ() + half_line, mark.text, kTextHeight);
+    group.addCylinder(mark.point, text - half_line, kLeader);
+    group.addText(text, mark.text, kTextHeight);
     array.markers.insert(array.markers.end(), group.markers().begin(), group.markers().end());
   }
   return array;

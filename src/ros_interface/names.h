@@ -13,10 +13,15 @@ constexpr char kShapesTopic[] = "shapes";
 constexpr char kVariationTopic[] = "variation";
 constexpr char kLegendTopic[] = "legend";
 constexpr char kInterferenceTopic[] = "interference";
+constexpr char kEnvelopeTopic[] = "envelope";
+constexpr char kEnvelopeMeshTopic[] = "envelope_mesh";
 constexpr char kPlayService[] = "play";
 constexpr char kSeekService[] = "seek";
 constexpr char kSolveEquilibriumService[] = "solve_equilibrium";
 constexpr char kAnalyzeStabilityService[] = "analyze_stability";
+constexpr char kGenerateEnvelopeService[] = "generate_envelope";
+constexpr char kGenerateEnvelopeAction[] = "generate_envelope_action";
+constexpr char kCheckForbiddenRegionService[] = "check_forbidden_region";
 constexpr char kGetSceneService[] = "get_scene";
 constexpr char kLoadSceneService[] = "load_scene";
 constexpr char kSetDesignService[] = "set_design";
@@ -29,5 +34,9 @@ constexpr char kClipMarkers[] = "clip/";
 constexpr char kVariationMarkers[] = "variation/";
 constexpr char kSensitivityMarkers[] = "sensitivity/";
 constexpr char kInterferenceMarkers[] = "interference/";
+constexpr char kClearanceMarkers[] = "interference/clearance/";
+constexpr char kTriangleMarkers[] = "interference/triangles/";
+constexpr char kRegionMarkers[] = "interference/region/";
+constexpr char kEnvelopeMarkers[] = "envelope/";
 
 }  // namespace cable_variation_ros

@@ -44,6 +44,18 @@ class ParameterReader {
     }
   }
 
+  void optionalCount(const std::string& name, std::size_t& value, int upper) {
+    if (!node_.hasParam(name)) return;
+    int count = 0;
+    if (!node_.getParam(name, count)) {
+      fault(name, "expected a whole number");
+    } else if (count < 0 || count > upper) {
+      fault(name, "is " + std::to_string(count) + ", expected 0 to " + std::to_string(upper));
+    } else {
+      value = static_cast<std::size_t>(count);
+    }
+  }
+
   void finish() const {
     if (!faults_.empty()) throw std::invalid_argument("parameters:" + faults_);
   }
@@ -59,6 +71,7 @@ class ParameterReader {
 
 constexpr double kHighestRate = 1000.0;  // [Hz]; beyond what ROS timers and tf keep up with
 constexpr double kHighestSpeed = 1e4;
+constexpr int kMostThreads = 1024;  // more than any machine has cores for them
 
 /// A node's parameters: `scene`, which every node has, and what `others` reads.
 template <typename Parameters, typename Others>
@@ -91,6 +104,7 @@ CableSolverParameters readCableSolverParameters(const ros::NodeHandle& node) {
       node, [](ParameterReader& reader, CableSolverParameters& parameters) {
         reader.optional("live", parameters.live);
         reader.optionalPositive("live_rate", parameters.live_rate_hz, kHighestRate);
+        reader.optionalCount("threads", parameters.threads, kMostThreads);
         reader.optional("output_directory", parameters.output_directory);
       });
 }

@@ -1,5 +1,7 @@
 #include <ros_interface/request_status.h>
 
+#include <cable_variation/variation/envelope_generator.h>
+
 namespace cable_variation_ros {
 
 using cable_variation::Equilibrium;
@@ -22,6 +24,8 @@ Status runRequest(const std::function<void()>& body) {
     body();
   } catch (const RequestError& error) {
     return makeStatus(error.code(), error.what());
+  } catch (const cable_variation::Cancelled& cancelled) {
+    return makeStatus(Status::CANCELLED, cancelled.what());
   } catch (const std::invalid_argument& error) {
     return makeStatus(Status::INVALID_ARGUMENT, error.what());
   } catch (const std::exception& error) {

@@ -21,7 +21,8 @@ class RequestError : public std::runtime_error {
 };
 
 /// Runs the body of a service handler: SUCCESS, or what it threw as a Status.
-/// std::invalid_argument is INVALID_ARGUMENT, any other exception IO_ERROR.
+/// std::invalid_argument is INVALID_ARGUMENT, cable_variation::Cancelled CANCELLED, any other exception
+/// IO_ERROR.
 cable_variation::Status runRequest(const std::function<void()>& body);
 
 /// Throws RequestError unless the equilibrium converged.

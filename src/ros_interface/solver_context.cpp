@@ -47,6 +47,7 @@ void SolverContext::take(EquilibriumSolver solver, Design design, Harness harnes
   design_ = std::move(design);
   harness_ = std::move(harness);
   equilibrium_ = std::move(equilibrium);
+  ++design_number_;
   notify();
 }
 

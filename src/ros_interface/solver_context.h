@@ -21,6 +21,18 @@ class SolverContext {
   const cable_variation::Equilibrium& equilibrium() const { return equilibrium_; }
   const cable_variation::ComponentPoses& moved() const { return moved_; }
 
+  /// Another number, another scene or design; moving components does not change it.
+  std::size_t designNumber() const { return design_number_; }
+
+  /// A copy for work on another thread.
+  struct Snapshot {
+    cable_variation::Design design;
+    cable_variation::ComponentPoses moved;
+    cable_variation::EquilibriumSolver solver;  ///< follows the shape in force, if there is one
+    std::size_t design_number = 0;
+  };
+  Snapshot snapshot() const { return {design_, moved_, solver_, design_number_}; }
+
   /// Called whenever the harness or its shape has changed.
   void onChange(std::function<void()> callback) { changed_ = std::move(callback); }
 
@@ -78,6 +90,7 @@ class SolverContext {
   cable_variation::Harness harness_;
   cable_variation::EquilibriumSolver solver_;
   cable_variation::Equilibrium equilibrium_;
+  std::size_t design_number_ = 0;
   std::function<void()> changed_;
   // Preparing the components' geometry takes tens of milliseconds: done when first needed, kept for a scene.
   mutable std::optional<cable_variation::MeasureEvaluator> evaluator_;

@@ -5,7 +5,7 @@
 #include <ros_interface/cable_markers.h>
 #include <ros_interface/clip_markers.h>
 #include <ros_interface/component_deviations.h>
-#include <ros_interface/interference_markers.h>
+#include <ros_interface/interference_publisher.h>
 #include <ros_interface/message_conversion.h>
 #include <ros_interface/names.h>
 #include <ros_interface/solver_context.h>
@@ -17,7 +17,7 @@ using cable_variation::Measure;
 
 namespace {
 
-visualization_msgs::MarkerArray interferenceOf(const SolverContext& context) {
+std::vector<DistanceMark> distancesOf(const SolverContext& context) {
   if (!context.equilibrium().converged()) return {};
   const cable_variation::Scene& scene = context.design().scene;
   std::vector<std::size_t> distances;
@@ -25,14 +25,14 @@ visualization_msgs::MarkerArray interferenceOf(const SolverContext& context) {
     if (scene.measures[i].type == Measure::Type::distance) distances.push_back(i);
   }
   if (distances.empty()) return {};
-  return interferenceMarkers(scene, distances, context.measure(distances));
+  return distanceMarks(scene, distances, context.measure(distances));
 }
 
 }  // namespace
 
-SolverPublisher::SolverPublisher(ros::NodeHandle& node)
+SolverPublisher::SolverPublisher(ros::NodeHandle& node, InterferencePublisher& interference)
     : cables_(node, kCablesTopic),
-      interference_(node, kInterferenceTopic),
+      interference_(interference),
       shapes_(node.advertise<cable_variation::CableShapes>(kShapesTopic, 1, true)),
       deviations_(node.advertise<ComponentDeviations>(kComponentDeviationsTopic, 1, true)) {
   deviations_.publish(deviations_shown_);
@@ -43,7 +43,7 @@ void SolverPublisher::publish(const SolverContext& context) {
   const visualization_msgs::MarkerArray clips = clipMarkers(context.equilibrium(), context.harness());
   markers.markers.insert(markers.markers.end(), clips.markers.begin(), clips.markers.end());
   cables_.publish(markers);
-  interference_.publish(interferenceOf(context));
+  interference_.showMeasures(distancesOf(context), clips);
   shapes_.publish(toCableShapes(context.equilibrium(), context.harness(), ros::Time::now()));
   const ComponentDeviations deviations =
       toMessage(componentDeviations(context.design().scene, context.design().shifted, context.moved()));

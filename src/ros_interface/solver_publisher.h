@@ -14,16 +14,18 @@ namespace cable_variation_ros {
 
 class SolverContext;
 
+class InterferencePublisher;
+
 /// Shows the design in force: ~cables (markers of cables and clips), ~shapes,
 /// ~component_deviations and, as ~interference, what distances were measured.
 class SolverPublisher {
  public:
-  explicit SolverPublisher(ros::NodeHandle& node);
+  SolverPublisher(ros::NodeHandle& node, InterferencePublisher& interference);
   void publish(const SolverContext& context);
 
  private:
   MarkerChannel cables_;
-  MarkerChannel interference_;
+  InterferencePublisher& interference_;
   ros::Publisher shapes_;
   ros::Publisher deviations_;
   cable_variation::ComponentDeviations deviations_shown_;

@@ -5,34 +5,13 @@
 
 #include <ros_interface/message_conversion.h>
 #include <ros_interface/names.h>
+#include <ros_interface/same_poses.h>
 #include <ros_interface/solver_context.h>
 
 namespace cable_variation_ros {
 
 using cable_variation::ComponentPoses;
 using cable_variation::Pose;
-
-namespace {
-
-// Closer than this two poses are the same: what a transform loses on its way through tf.
-constexpr double kSamePosition = 1e-9;     // [m]
-constexpr double kSameOrientation = 1e-9;  // [rad]
-
-bool same(const Pose& a, const Pose& b) {
-  return (a.position - b.position).norm() <= kSamePosition &&
-         a.orientation.angularDistance(b.orientation) <= kSameOrientation;
-}
-
-bool same(const ComponentPoses& a, const ComponentPoses& b) {
-  if (a.size() != b.size()) return false;
-  for (const auto& [name, pose] : a) {
-    const auto found = b.find(name);
-    if (found == b.end() || !same(pose, found->second)) return false;
-  }
-  return true;
-}
-
-}  // namespace
 
 TfFollower::TfFollower(ros::NodeHandle& node, SolverContext& context, double rate_hz)
     : context_(context), listener_(buffer_, node) {

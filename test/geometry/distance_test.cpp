@@ -222,6 +222,15 @@ TEST(Distance, ThroughAnEdgeAndACornerIsPierced) {
 }
 
 // A sphere of chords: the cable's middle is nearest to a facet, whose distance from the centre is what it is.
+// A cable that lies on a table by its centreline: nothing of it is inside, nor just outside.
+TEST(Distance, AlongAFaceIsMinusTheRadius) {
+  for (const double end : {0.3, 0.7}) {
+    const ClosestPair pair = pairOf(test::straightCable({-0.3, 0.1, 0.5}, {end, 0.1, 0.5}, 0.02, 7), cube());
+    EXPECT_EQ(pair.contact, Contact::pierced);
+    EXPECT_NEAR(pair.distance, -0.02, 2e-9);  // depths of less than 1e-9 m are not told from none
+  }
+}
+
 TEST(Distance, InASphereIsTheSmallestOfItsFacets) {
   const TriangleMesh sphere = moved(sphereMesh(0.2), {0.03, 0.02, 0.01});
   const Centreline cable = test::straightCable({-0.02, 0.0, 0.0}, {0.02, 0.01, 0.0}, 0.004, 3);

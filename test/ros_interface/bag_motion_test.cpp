@@ -3,8 +3,11 @@
 
 #include <unistd.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 
 #include <geometry_msgs/PoseStamped.h>
@@ -14,6 +17,8 @@
 #include <rosbag/bag.h>
 #include <std_msgs/String.h>
 #include <tf2_msgs/TFMessage.h>
+
+#include <cable_variation/scene/motion.h>
 
 namespace cable_variation_ros {
 namespace {
@@ -133,6 +138,15 @@ TEST_F(BagMotion, RefusesTimesThatDoNotIncrease) {
   expectRefused("pose 2 is at 0 s, not after the one before at 0 s");
 }
 
+TEST_F(BagMotion, RefusesTimesThatGoBack) {
+  write([](rosbag::Bag& bag) {
+    bag.write("/tf", ros::Time(7), tf({transform(5.0, "world", "sled", 0.1)}));
+    bag.write("/tf", ros::Time(8), tf({transform(5.5, "world", "sled", 0.2)}));
+    bag.write("/tf", ros::Time(9), tf({transform(5.25, "world", "sled", 0.2)}));
+  });
+  expectRefused("pose 3 is at 0.25 s, not after the one before at 0.5 s");
+}
+
 TEST_F(BagMotion, RefusesPosesThatAreNone) {
   write([](rosbag::Bag& bag) {
     geometry_msgs::TransformStamped zero = transform(5.0, "world", "sled", 0.1);
@@ -140,7 +154,16 @@ TEST_F(BagMotion, RefusesPosesThatAreNone) {
     bag.write("/zero", ros::Time(7), zero);
     geometry_msgs::TransformStamped nan = transform(5.0, "world", "sled", std::nan(""));
     bag.write("/nan", ros::Time(7), nan);
+    geometry_msgs::TransformStamped turned = transform(5.0, "world", "sled", 0.1);
+    bag.write("/nan_turn", ros::Time(7), turned);
+    turned.header.stamp = ros::Time(6.0);
+    turned.transform.rotation.y = std::nan("");
+    bag.write("/nan_turn", ros::Time(8), turned);
+    turned.transform.rotation.y = 1.0;
+    bag.write("/long", ros::Time(8), turned);
   });
+  expectRefused("pose 2: quaternion has norm", "/nan_turn");
+  expectRefused("pose 1: quaternion has norm 1.414214, expected 1", "/long");
   expectRefused("pose 1: quaternion has norm 0", "/zero");
   expectRefused("pose 1: position is not finite", "/nan");
 }
@@ -150,6 +173,58 @@ TEST_F(BagMotion, RefusesOtherTypesAndOtherFiles) {
   expectRefused("is of type std_msgs/String, expected geometry_msgs/PoseStamped", "/text");
   std::remove(path_.c_str());
   expectRefused("bag '");
+  std::ofstream(path_) << "0 0 0 0 0 0 0 1\n";
+  expectRefused("bag '");
+}
+
+TEST_F(BagMotion, RefusesAnEmptyBag) {
+  write([](rosbag::Bag&) {});
+  expectRefused("topic '/tf': is not there; topics there: none");
+  std::ofstream(path_, std::ios::trunc);
+  expectRefused("bag '");
+}
+
+TEST_F(BagMotion, RefusesABagThatEndsEarlyWhereverThatIs) {
+  write([](rosbag::Bag& bag) {
+    for (int k = 0; k < 100; ++k) {
+      const double time = 5.0 + 0.01 * k;
+      bag.write("/tf", ros::Time(time), tf({transform(time, "world", "sled", 0.001 * k)}));
+    }
+  });
+  EXPECT_EQ(read().size(), 100u);
+  const std::uintmax_t size = std::filesystem::file_size(path_);
+  // Bytes at the end hold the index of the last chunk, those in the middle the messages.
+  for (std::uintmax_t left = size - 1; left > 0; left -= std::min<std::uintmax_t>(left, 997)) {
+    std::filesystem::resize_file(path_, left);
+    expectRefused("bag '");
+  }
+}
+
+TEST_F(BagMotion, ARecordingThatWasCutOffSaysHowToRepairIt) {
+  // What rosbag record leaves when it is killed: a bag that was never closed has no index.
+  rosbag::Bag bag(path_, rosbag::bagmode::Write);
+  bag.setChunkThreshold(1000);
+  for (int k = 0; k < 100; ++k) {
+    const double time = 5.0 + 0.01 * k;
+    bag.write("/tf", ros::Time(time), tf({transform(time, "world", "sled", 0.001 * k)}));
+  }
+  const std::string cut = path_ + ".cut.bag";
+  std::filesystem::copy_file(path_, cut);
+  bag.close();
+  std::filesystem::rename(cut, path_);
+  expectRefused("has no index, as when a recording ends early; rosbag reindex makes one");
+}
+
+TEST(EngineRun, IsTheSameAsABagAndAsATrajectory) {
+  const std::string stem = std::string(CABLE_VARIATION_SOURCE_DIR) + "/config/engine_run";
+  const std::vector<TimedPose> bag = readBagMotion(stem + ".bag", "/tf", "engine", "engine_bay");
+  const std::vector<TimedPose> trajectory = cable_variation::readTum(stem + ".tum");
+  ASSERT_EQ(bag.size(), trajectory.size());
+  for (std::size_t k = 0; k < bag.size(); ++k) {
+    ASSERT_NEAR(bag[k].time, trajectory[k].time, 2e-9) << k;  // stamps count nanoseconds
+    ASSERT_EQ(bag[k].pose.position, trajectory[k].pose.position) << k;
+    ASSERT_EQ(bag[k].pose.orientation.coeffs(), trajectory[k].pose.orientation.coeffs()) << k;
+  }
 }
 
 }  // namespace

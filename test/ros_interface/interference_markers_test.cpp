@@ -29,7 +29,7 @@ class Interference : public testing::Test {
 
   std::vector<Marker> markersAt(double distance) {
     value_.value = distance;
-    return interferenceMarkers(scene_, {0}, {value_}).markers;
+    return interferenceMarkers(distanceMarks(scene_, {0}, {value_})).markers;
   }
   bool redAt(double distance) {
     std::set<bool> red;
@@ -78,7 +78,7 @@ TEST_F(Interference, BallsAndLineAreAtThePair) {
 }
 
 TEST_F(Interference, OtherMeasuresAndPairsThatAreNoneShowNothing) {
-  EXPECT_TRUE(interferenceMarkers(scene_, {1}, {value_}).markers.empty());
+  EXPECT_TRUE(distanceMarks(scene_, {1}, {value_}).empty());
   value_.has_other = false;
   EXPECT_TRUE(markersAt(0.1).empty());
 }

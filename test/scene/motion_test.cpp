@@ -55,10 +55,47 @@ TEST(Tum, namesTheLineOfAFault) {
   EXPECT_EQ(refusal({"0 0 0 0 0 0 0 1 2"}), ":1: found '2' after the eighth number; expected no more");
   EXPECT_EQ(refusal({"0 0 0 0 0 0 0 0"}), ":1: quaternion has norm 0.000000; expected 1");
   EXPECT_EQ(refusal({"0 0 0 0 0 0 0 1.002"}), ":1: quaternion has norm 1.002000; expected 1");
-  EXPECT_EQ(refusal({"1 0 0 0 0 0 0 1", "1 0 0 0 0 0 0 1"}), ":2: time 1.000000 s does not increase");
+  EXPECT_EQ(refusal({"0 0 0 0 nan 0 0 1"}), ":1: found 'nan'; expected a finite number");
+  EXPECT_EQ(refusal({"0 0 0 0 0 0 0 1", "1 0 0 0 0 0 0 0.5"}), ":2: quaternion has norm 0.500000; expected 1");
+  EXPECT_EQ(refusal({"1 0 0 0 0 0 0 1", "1 0 0 0 0 0 0 1"}),
+            ":2: time 1.000000 s is not after 1.000000 s of the pose before");
+  EXPECT_EQ(refusal({"0.5 0 0 0 0 0 0 1", "", "0.25 0 0 0 0 0 0 1"}),
+            ":3: time 0.250000 s is not after 0.500000 s of the pose before");
+  EXPECT_EQ(refusal({}), ": it holds no pose");
   EXPECT_EQ(refusal({"# nothing"}), ": it holds no pose");
   EXPECT_EQ(refusal({"0 0 0 0 0 0 0 1.0005"}), "");
   EXPECT_THROW(readTum("/nowhere/motion.tum"), std::invalid_argument);
+}
+
+TEST(Tum, doesNotTakeAFolderForAnEmptyFile) {
+  const std::string folder = findTestPackage("test_data") + "/motions";
+  try {
+    readTum(folder);
+    ADD_FAILURE() << "expected: cannot be read";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_EQ(error.what(), folder + ": cannot be read");
+  }
+}
+
+TEST(Tum, holdsTheEngineRunOfTheHoseCase) {
+  Motion motion;
+  motion.samples = readTum(std::string(CABLE_VARIATION_SOURCE_DIR) + "/config/engine_run.tum");
+  EXPECT_EQ(motion.samples.size(), 10001U);
+  EXPECT_DOUBLE_EQ(motion.duration(), 50.0);
+  // An engine on rubber mounts: it moves in all six ways, by less than 10 mm and 5 degrees either way.
+  Eigen::Matrix<double, 6, 1> least, most;
+  least.setConstant(1.0);
+  most.setConstant(-1.0);
+  for (const TimedPose& sample : motion.samples) {
+    Eigen::Matrix<double, 6, 1> moved;
+    moved << sample.pose.position - motion.samples.front().pose.position, 2.0 * sample.pose.orientation.vec();
+    least = least.cwiseMin(moved);
+    most = most.cwiseMax(moved);
+  }
+  EXPECT_GT((most - least).head<3>().minCoeff(), 1e-3);
+  EXPECT_LT((most - least).head<3>().maxCoeff(), 20e-3);
+  EXPECT_GT((most - least).tail<3>().minCoeff(), 0.3 * kPi / 180.0);
+  EXPECT_LT((most - least).tail<3>().maxCoeff(), 10.0 * kPi / 180.0);
 }
 
 TEST(PoseAt, isLinearInPositionAndConstantInAngularVelocity) {

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <cable_variation/geometry/surface_triangle.h>
 #include <cable_variation/geometry/triangle_mesh.h>
 
 namespace cable_variation {
@@ -13,17 +14,20 @@ namespace cable_variation {
 /// The convex hull of points. Immutable; may be shared by threads.
 class ConvexHull {
  public:
-  /// Points that lie in a plane, on a line or on each other get a body by added vertices 1e-6 m off their
-  /// middle. Throws std::invalid_argument: no points, or one that is not finite.
+  /// Points that lie in a plane, on a line or on each other (to 1e-8 of their extent) get a body by added
+  /// vertices, off their middle by 1e-6 m or 1e-7 of their extent, whichever is more. Throws
+  /// std::invalid_argument: no points, or one that is not finite.
   explicit ConvexHull(const std::vector<Eigen::Vector3d>& points);
 
-  /// Outward facets over the hull's vertices only [m].
+  /// Outward facets over the hull's vertices only [m]; closed. Facets of more corners are cut into triangles.
   const TriangleMesh& surface() const { return surface_; }
   /// Per vertex: the point it comes from, by index; kAdded: none, it gives a flat hull a body.
   const std::vector<std::size_t>& sources() const { return sources_; }
   static constexpr std::size_t kAdded = static_cast<std::size_t>(-1);
   /// Per triangle: unit outward normal and offset, so that normal · x <= offset inside.
-  const Eigen::Matrix<double, 4, Eigen::Dynamic>& planes() const { return planes_; }
+  /// Row by row in memory, so that heights are taken several at a time.
+  using Planes = Eigen::Matrix<double, 4, Eigen::Dynamic, Eigen::RowMajor>;
+  const Planes& planes() const { return planes_; }
 
   /// The largest of normal · point - offset [m]: inside and above a facet's inner part the signed distance
   /// itself, elsewhere less than the distance.
@@ -40,9 +44,15 @@ class ConvexHull {
   double volume() const;  ///< [m³]
 
  private:
+  NearestPoint nearestOn(std::size_t triangle, const Eigen::Vector3d& point) const;
+  /// Walks over the surface, always nearer to a point outside, from the triangle `at`.
+  NearestPoint descend(const Eigen::Vector3d& point, std::size_t& at) const;
+  NearestPoint nearestOfAll(const Eigen::Vector3d& point, std::size_t& at) const;
+
   TriangleMesh surface_;
   std::vector<std::size_t> sources_;
-  Eigen::Matrix<double, 4, Eigen::Dynamic> planes_;
+  Planes planes_;
+  std::vector<std::array<std::uint32_t, 3>> neighbours_;  ///< across the edge from corner i to the next
 };
 
 /// A convex body: all that is within `radius` of the hull.

@@ -28,7 +28,8 @@ struct Interval {
   std::size_t section = 0;
   Sample a, b;
   ControlPoints control;
-  double bound = 0.0;  // no place is deeper, its radius included
+  double deepest = 0.0;  // no place is deeper [m]
+  double bound = 0.0;    // nor is with its radius included [m]
 
   bool operator<(const Interval& other) const { return bound < other.bound; }
 };
@@ -59,20 +60,20 @@ class Search {
   Interval interval(std::size_t number, const Sample& a, const Sample& b,
                     const ControlPoints& control) const {
     const TubeSection& section = sections_[number];
-    Interval made{number, a, b, control, 0.0};
+    Interval made{number, a, b, control, 0.0, 0.0};
     double way = 0.0;
     for (std::size_t i = 0; i + 1 < 6; ++i) way += (control[i + 1] - control[i]).norm();
     // depth changes no faster than along the way
-    made.bound = 0.5 * (a.depth + b.depth + way);
+    made.deepest = 0.5 * (a.depth + b.depth + way);
     // and is no more than the distance to one triangle, which along a chord is largest at an end
     const double sagitta = sagittaBound(control);
     for (const Sample* end : {&a, &b}) {
       const Sample& other = end == &a ? b : a;
       const SurfaceTriangle& triangle = part_.tree.triangles[end->nearest.triangle];
       const double there = nearestPoint(triangle, other.position).distance;
-      made.bound = std::min(made.bound, std::max(std::abs(end->depth), there) + sagitta);
+      made.deepest = std::min(made.deepest, std::max(std::abs(end->depth), there) + sagitta);
     }
-    made.bound += std::max(section.radius(a.u), section.radius(b.u));
+    made.bound = made.deepest + std::max(section.radius(a.u), section.radius(b.u));
     return made;
   }
 
@@ -164,7 +165,8 @@ std::optional<Deepest> deepest(const DistancePart::Impl& part, std::uint32_t sol
       if (interval.bound <= best.value - margin) break;
       continue;
     }
-    if (interval.b.u - interval.a.u < kNarrowest) continue;
+    // what lies in the surface or outside is not inside
+    if (interval.deepest <= kTolerance || interval.b.u - interval.a.u < kNarrowest) continue;
     const Sample middle = search.sample(interval.section, 0.5 * (interval.a.u + interval.b.u), &interval.a);
     take(interval.section, middle);
     const auto [left, right] = halves(interval.control);

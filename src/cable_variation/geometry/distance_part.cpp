@@ -39,6 +39,41 @@ std::optional<std::vector<std::uint32_t>> crossings(const DistancePart::Impl& pa
   return crossed;
 }
 
+// The nearest point to x on the triangles that count, closer than `bound`.
+template <typename Counts>
+std::optional<DistancePart::Impl::Nearest> nearestAmong(const TriangleTree& tree, const Eigen::Vector3d& x,
+                                                        double bound, const Counts& counts) {
+  std::optional<DistancePart::Impl::Nearest> nearest;
+  struct Open {
+    double squared;
+    std::uint32_t node;
+  };
+  std::vector<Open> open;
+  open.reserve(64);
+  open.push_back({squaredGap(tree.nodes[0].box, x), 0});
+  while (!open.empty()) {
+    const Open next = open.back();
+    open.pop_back();
+    if (next.squared >= bound * bound) continue;
+    const TriangleTree::Node& node = tree.nodes[next.node];
+    if (node.count == 0) {
+      Open left{squaredGap(tree.nodes[node.first].box, x), node.first};
+      Open right{squaredGap(tree.nodes[node.first + 1].box, x), node.first + 1};
+      if (left.squared < right.squared) std::swap(left, right);
+      open.push_back(left);
+      open.push_back(right);
+    }
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+      if (!counts(i)) continue;
+      const NearestPoint at = nearestPoint(tree.triangles[i], x);
+      if (at.distance >= bound) continue;
+      bound = at.distance;
+      nearest = {i, at};
+    }
+  }
+  return nearest;
+}
+
 }  // namespace
 
 DistancePart::Impl::Impl(const TriangleMesh& mesh) : tree(mesh), solids(mesh) {
@@ -75,35 +110,11 @@ std::vector<std::uint32_t> DistancePart::Impl::solidsAround(const Eigen::Vector3
 std::optional<DistancePart::Impl::Nearest> DistancePart::Impl::nearestOn(std::uint32_t solid,
                                                                          const Eigen::Vector3d& x,
                                                                          double bound) const {
-  std::optional<Nearest> nearest;
-  struct Open {
-    double squared;
-    std::uint32_t node;
-  };
-  std::vector<Open> open;
-  open.reserve(64);
-  open.push_back({squaredGap(tree.nodes[0].box, x), 0});
-  while (!open.empty()) {
-    const Open next = open.back();
-    open.pop_back();
-    if (next.squared >= bound * bound) continue;
-    const TriangleTree::Node& node = tree.nodes[next.node];
-    if (node.count == 0) {
-      Open left{squaredGap(tree.nodes[node.first].box, x), node.first};
-      Open right{squaredGap(tree.nodes[node.first + 1].box, x), node.first + 1};
-      if (left.squared < right.squared) std::swap(left, right);
-      open.push_back(left);
-      open.push_back(right);
-    }
-    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-      if (solidOf(i) != solid) continue;
-      const NearestPoint at = nearestPoint(tree.triangles[i], x);
-      if (at.distance >= bound) continue;
-      bound = at.distance;
-      nearest = {i, at};
-    }
-  }
-  return nearest;
+  return nearestAmong(tree, x, bound, [&](std::uint32_t i) { return solidOf(i) == solid; });
+}
+
+DistancePart::Impl::Nearest DistancePart::Impl::nearest(const Eigen::Vector3d& x) const {
+  return *nearestAmong(tree, x, std::numeric_limits<double>::infinity(), [](std::uint32_t) { return true; });
 }
 
 bool DistancePart::Impl::isLocallyNearest(const Eigen::Vector3d& x, const NearestPoint& at) const {

@@ -32,6 +32,9 @@ struct DistancePart::Impl {
   /// The nearest point to x on the surface of a solid, closer than `bound` [m].
   std::optional<Nearest> nearestOn(std::uint32_t solid, const Eigen::Vector3d& x, double bound) const;
 
+  /// On all of the surface.
+  Nearest nearest(const Eigen::Vector3d& x) const;
+
   /// Whether the surface about at.point, which is nearest to x on its own triangle, comes no nearer to x
   /// there.
   bool isLocallyNearest(const Eigen::Vector3d& x, const NearestPoint& at) const;

@@ -56,9 +56,11 @@ NearestPoint nearestPoint(const SurfaceTriangle& triangle, const Eigen::Vector3d
     above_face = false;
     const double along = away[i].dot(edges[i]), length = edges[i].squaredNorm();
     NearestPoint::On on = NearestPoint::On::corner;
+    std::size_t number = i;
     Eigen::Vector3d offset = away[i];
     Eigen::Vector3d foot = corners[i];
     if (along >= length) {
+      number = (i + 1) % 3;
       offset = away[(i + 1) % 3];
       foot = corners[(i + 1) % 3];
     } else if (along > 0.0) {
@@ -71,6 +73,7 @@ NearestPoint nearestPoint(const SurfaceTriangle& triangle, const Eigen::Vector3d
     if (squared < smallest) {
       smallest = squared;
       nearest.on = on;
+      nearest.number = number;
       nearest.point = foot;
       nearest.direction = offset;
       nearest.edge = edges[i];

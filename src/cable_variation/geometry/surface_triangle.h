@@ -22,6 +22,7 @@ struct SurfaceTriangle {
 struct NearestPoint {
   enum class On { face, edge, corner };
   On on = On::face;
+  std::size_t number = 0;  ///< of the corner, or of the edge from that corner to the next
   Eigen::Vector3d point;
   double distance = 0.0;      ///< [m]
   Eigen::Vector3d direction;  ///< unit, from the point to x; on the surface itself: the triangle's normal

@@ -121,6 +121,9 @@ class EquilibriumSolver {
   EquilibriumSolver(EquilibriumSolver&&) noexcept;
   EquilibriumSolver& operator=(EquilibriumSolver&&) noexcept;
 
+  /// Of the calls from now on; the shape to follow stays.
+  void setOptions(const EquilibriumOptions& options);
+
   /// From nothing but the harness. Throws std::invalid_argument (validate()).
   Equilibrium solve(const Harness& harness);
 

@@ -347,6 +347,7 @@ EquilibriumSolver& EquilibriumSolver::operator=(const EquilibriumSolver& other) 
 EquilibriumSolver::EquilibriumSolver(EquilibriumSolver&&) noexcept = default;
 EquilibriumSolver& EquilibriumSolver::operator=(EquilibriumSolver&&) noexcept = default;
 
+void EquilibriumSolver::setOptions(const EquilibriumOptions& options) { impl_->options = options; }
 Equilibrium EquilibriumSolver::solve(const Harness& harness) { return impl_->solve(harness); }
 Equilibrium EquilibriumSolver::update(const Harness& harness) { return impl_->update(harness); }
 std::vector<EquilibriumRate> EquilibriumSolver::differentiate(const std::vector<HarnessRate>& variables) {

@@ -22,6 +22,8 @@ class CurvePiece {
   Eigen::Vector3d first(double t) const;     ///< derivative over t [m]
   Eigen::Vector3d second(double t) const;    ///< second derivative over t [m]
   double curvature(double t) const;          ///< [1/m]
+  /// Bézier points of the part between `from` and `to`: that part lies in their hull [m].
+  std::array<Eigen::Vector3d, 6> controlPoints(double from, double to) const;
   /// Of the powers of t from 0 to 5 [m].
   const std::array<Eigen::Vector3d, 6>& coefficients() const { return coefficients_; }
 

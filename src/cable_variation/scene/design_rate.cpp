@@ -58,6 +58,12 @@ class DesignDerivative {
     return std::move(rate_);
   }
 
+  DesignRate ofMotion(std::size_t component, const Vector3d& velocity, const Vector3d& rotation) {
+    rate_ = {};
+    carry(component, {velocity, rotation, frames_[component].base.position});
+    return std::move(rate_);
+  }
+
  private:
   Pose clipPose(std::size_t clip) const { return mounts_[clip] * deviations_.clips[clip].pose(); }
 
@@ -218,6 +224,20 @@ std::vector<DesignRate> designRates(const Scene& scene, const DesignValues& valu
   std::vector<DesignRate> rates;
   rates.reserve(variables.size());
   for (const std::size_t variable : variables) rates.push_back(derivative.of(variable));
+  return rates;
+}
+
+std::array<DesignRate, 6> rigidMotionRates(const Scene& scene, const DesignValues& values,
+                                           const ComponentPoses& moved, const std::string& component) {
+  const std::size_t index = componentIndex(scene, component);
+  if (index == ComponentFrame::kWorld) throw std::invalid_argument("the world does not move");
+  DesignDerivative derivative(scene, values, moved);
+  std::array<DesignRate, 6> rates;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto place = static_cast<std::size_t>(axis);
+    rates[place] = derivative.ofMotion(index, Vector3d::Unit(axis), Vector3d::Zero());
+    rates[place + 3] = derivative.ofMotion(index, Vector3d::Zero(), Vector3d::Unit(axis));
+  }
   return rates;
 }
 

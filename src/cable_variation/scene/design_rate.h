@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -23,5 +24,11 @@ struct DesignRate {
 /// meaning. Whether values leave the physical, harnessAt() tells.
 std::vector<DesignRate> designRates(const Scene& scene, const DesignValues& values,
                                     const ComponentPoses& moved, const std::vector<std::size_t>& variables);
+
+/// At the same design: how the scene changes when a component, with all that rides on it, moves as a rigid
+/// body: per metre along the world's x, y and z, then per radian about them through the component's origin.
+/// Throws std::invalid_argument as designRates().
+std::array<DesignRate, 6> rigidMotionRates(const Scene& scene, const DesignValues& values,
+                                           const ComponentPoses& moved, const std::string& component);
 
 }  // namespace cable_variation

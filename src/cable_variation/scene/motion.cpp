@@ -68,13 +68,15 @@ std::vector<TimedPose> readTum(const std::string& path) {
     try {
       const TimedPose sample = readLine(line);
       if (!samples.empty() && !(sample.time > samples.back().time)) {
-        throw std::invalid_argument("time " + std::to_string(sample.time) + " s does not increase");
+        throw std::invalid_argument("time " + std::to_string(sample.time) + " s is not after " +
+                                    std::to_string(samples.back().time) + " s of the pose before");
       }
       samples.push_back(sample);
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument(path + ":" + std::to_string(number) + ": " + error.what());
     }
   }
+  if (file.bad()) throw std::invalid_argument(path + ": cannot be read");  // a folder, say
   if (samples.empty()) throw std::invalid_argument(path + ": it holds no pose");
   const double start = samples.front().time;
   for (TimedPose& sample : samples) sample.time -= start;

@@ -1,12 +1,14 @@
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include <cable_variation/variation/component_parts.h>
 #include <cable_variation/variation/envelope.h>
 #include <cable_variation/variation/envelope_generator.h>
-#include <cable_variation/variation/measure_evaluation.h>
 
 namespace cable_variation {
 
@@ -15,8 +17,10 @@ struct EnvelopeClearance {
   std::size_t cable = 0;             ///< of the envelope, index
   std::string component;             ///< that it is measured against; empty: another cable
   std::optional<std::size_t> other;  ///< cable, index
-  double distance = 0.0;  ///< between the envelope's surface and the other's [m]; negative: overlap,
-                          ///< minus the depth to which the other enters
+  /// Between the envelope's surface and the other's [m]. Negative: overlap, minus the depth to which the
+  /// other enters one piece of the envelope or a piece enters the other (geometry/body_distance.h), or that
+  /// of the deepest harness solved: the envelope as a whole may hold the other deeper.
+  double distance = 0.0;
   Eigen::Vector3d on_envelope, on_other;  ///< closest points of the surfaces [m], world at `time`
   double arc_length = 0.0;                ///< on the cable, nominal [m]
   double other_arc_length = 0.0;          ///< likewise on the other cable
@@ -26,8 +30,42 @@ struct EnvelopeClearance {
   double nominal_time = 0.0;  ///< [s]
   double worst_sample = 0.0;  ///< smallest exact distance among harnesses solved within the tolerances [m]:
                               ///< what surely can happen; `distance` bounds what can
-  std::vector<std::uint32_t> colliding;  ///< triangles of the component's mesh (its visuals in order, as
-                                         ///< merged for distances) that enter the envelope
+  std::vector<std::uint32_t> colliding;  ///< triangles of the component's mesh (mergedMesh()) that enter the
+                                         ///< envelope
 };
+
+struct ClearanceOptions {
+  /// Sections of a cable this close to its clips on a component do not count against it [m]. Unset: as the
+  /// scene's distance measures of the two have it (of several the smallest), else kNearClips.
+  std::optional<double> skip_near_clips;
+  /// Pairs of sections of joined cables whose way through the joint is shorter do not count [m]. Unset:
+  /// likewise, else four times the sum of the cables' radii.
+  std::optional<double> skip_near_joints;
+  static constexpr double kNearClips = 0.03;  // a connector's length [m]
+};
+
+/// Components that the envelope must be seen from for its clearances, to be put into
+/// EnvelopeOptions::frames: those that a motion or a variable moves, one of those that move together.
+std::vector<std::string> clearanceFrames(const Scene& scene, const EnvelopeOptions& options);
+
+/// Solves the scene again for a sample of the envelope.
+using SampleSolver = std::function<SolvedSample(const EnvelopeSample&)>;
+
+/// Of each cable of the envelope to each component that has a mesh, then of each two cables; left out is
+/// what wholly lies near clips or joints. A piece of the envelope counts as a whole if a part of it is
+/// further from them than is skipped. Between cables, pieces of one phase and branch are measured: shapes of
+/// different samples too, so the distance bounds what can happen from below.
+/// @param options as the envelope was made with @param parts prepared before; the rest is prepared
+/// @param solver the design's shape to follow
+/// Throws std::invalid_argument: a component moves that the envelope is not seen from, skipped lengths that
+/// are no lengths; std::runtime_error: no equilibrium of the design.
+std::vector<EnvelopeClearance> clearances(const Scene& scene, const Envelope& envelope,
+                                          const EnvelopeOptions& options, const ComponentParts& parts,
+                                          const EquilibriumSolver& solver,
+                                          const ClearanceOptions& clearance_options = {});
+std::vector<EnvelopeClearance> clearances(const Scene& scene, const Envelope& envelope,
+                                          const EnvelopeOptions& options, const ComponentParts& parts,
+                                          const SampleSolver& solve,
+                                          const ClearanceOptions& clearance_options = {});
 
 }  // namespace cable_variation

@@ -13,65 +13,22 @@ namespace {
 
 using Type = Measure::Type;
 
-// A component's visuals as one mesh in its frame.
-TriangleMesh mergedMesh(const Component& component) {
-  TriangleMesh merged;
-  for (const Visual& visual : component.visuals) {
-    if (!visual.mesh) continue;
-    const auto first = static_cast<std::uint32_t>(merged.vertices.size());
-    for (const Eigen::Vector3d& vertex : visual.mesh->vertices)
-      merged.vertices.push_back(visual.pose * vertex);
-    for (const auto& corners : visual.mesh->triangles)
-      merged.triangles.push_back({corners[0] + first, corners[1] + first, corners[2] + first});
-  }
-  return merged;
-}
-
-// Made ready for distances, with what it was made from: as long as that is the same it can be used again.
-struct PreparedPart {
-  std::vector<std::pair<std::shared_ptr<const TriangleMesh>, Pose>> of;
-  DistancePart part;
-
-  explicit PreparedPart(const Component& component) : part(mergedMesh(component)) {
-    for (const Visual& visual : component.visuals) of.emplace_back(visual.mesh, visual.pose);
-  }
-  bool fits(const Component& component) const {
-    if (component.visuals.size() != of.size()) return false;
-    for (std::size_t i = 0; i < of.size(); ++i) {
-      const Visual& visual = component.visuals[i];
-      if (visual.mesh != of[i].first || visual.pose.position != of[i].second.position ||
-          visual.pose.orientation.coeffs() != of[i].second.orientation.coeffs()) {
-        return false;
-      }
-    }
-    return true;
-  }
-};
-
 }  // namespace
 
 struct MeasureEvaluator::Impl {
   const Scene& scene;
-  std::vector<Centreline> nominal;                         // per cable
-  std::vector<std::shared_ptr<const PreparedPart>> parts;  // per component; null: no measure needs it
+  std::vector<Centreline> nominal;  // per cable
+  ComponentParts parts;             // that measures need
 
-  Impl(const Scene& of, const SolvedScene& solved,
-       const std::vector<std::shared_ptr<const PreparedPart>>& known)
-      : scene(of), parts(of.components.size()) {
+  Impl(const Scene& of, const SolvedScene& solved, const ComponentParts& known) : scene(of) {
     for (std::size_t i = 0; i < solved.equilibrium.shapes.size(); ++i)
       nominal.push_back(centrelineOf(solved.harness.cables[i], solved.equilibrium.shapes[i]));
     for (const Measure& measure : scene.measures) {
-      if (measure.type != Type::distance || !measure.component || parts.at(*measure.component)) continue;
-      const Component& component = scene.components[*measure.component];
-      for (const auto& part : known) {
-        if (part && part->fits(component)) parts[*measure.component] = part;
-      }
-      if (parts[*measure.component]) continue;
+      if (measure.type != Type::distance || !measure.component) continue;
       try {
-        parts[*measure.component] = std::make_shared<const PreparedPart>(component);
+        parts.prepare(scene, *measure.component, known);
       } catch (const std::invalid_argument& error) {
-        throw std::invalid_argument("measure '" + measure.name + "': component '" + component.name +
-                                    "': " + error.what());
+        throw std::invalid_argument("measure '" + measure.name + "': " + error.what());
       }
     }
   }
@@ -90,7 +47,7 @@ struct MeasureEvaluator::Impl {
     switch (measure.type) {
       case Type::distance:
         return measure.component
-                   ? componentDistanceValue(context, measure, parts[*measure.component]->part, near)
+                   ? componentDistanceValue(context, measure, *parts.find(*measure.component), near)
                    : cableDistanceValue(context, measure);
       case Type::similarity:
         return similarityValue(context, measure, nominal);
@@ -158,7 +115,7 @@ struct MeasureEvaluator::Impl {
 };
 
 MeasureEvaluator::MeasureEvaluator(const Scene& scene, const SolvedScene& nominal)
-    : impl_(std::make_unique<Impl>(scene, nominal, std::vector<std::shared_ptr<const PreparedPart>>{})) {}
+    : impl_(std::make_unique<Impl>(scene, nominal, ComponentParts())) {}
 MeasureEvaluator::~MeasureEvaluator() = default;
 MeasureEvaluator::MeasureEvaluator(MeasureEvaluator&&) noexcept = default;
 MeasureEvaluator& MeasureEvaluator::operator=(MeasureEvaluator&&) noexcept = default;
@@ -168,6 +125,8 @@ MeasureEvaluator::MeasureEvaluator(std::unique_ptr<Impl> impl) : impl_(std::move
 MeasureEvaluator MeasureEvaluator::with(const Scene& scene, const SolvedScene& nominal) const {
   return MeasureEvaluator(std::make_unique<Impl>(scene, nominal, impl_->parts));
 }
+
+const ComponentParts& MeasureEvaluator::parts() const { return impl_->parts; }
 
 std::vector<MeasureValue> MeasureEvaluator::evaluate(const SolvedScene& at,
                                                      const std::vector<std::size_t>& measures,

@@ -10,6 +10,7 @@
 #include <cable_variation/harness/sensitivity.h>
 #include <cable_variation/scene/design_rate.h>
 #include <cable_variation/scene/scene.h>
+#include <cable_variation/variation/component_parts.h>
 
 namespace cable_variation {
 
@@ -59,6 +60,9 @@ class MeasureEvaluator {
   /// The same scene's, or an edited one's with the same components, with another nominal shape. Quick: the
   /// parts' geometry is shared, not prepared again.
   MeasureEvaluator with(const Scene& scene, const SolvedScene& nominal) const;
+
+  /// The components that measures look at.
+  const ComponentParts& parts() const;
 
   /// The values of `measures` (indices into Scene::measures). `near`: values of the same measures at a
   /// similar shape, which make the search faster and change nothing else.

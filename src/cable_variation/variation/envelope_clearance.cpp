@@ -1,0 +1,116 @@
+#include <cable_variation/variation/envelope_clearance.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <cable_variation/geometry/nearest_place.h>
+#include <cable_variation/variation/cable_view.h>
+#include <cable_variation/variation/clearance_samples.h>
+#include <cable_variation/variation/clearance_spots.h>
+
+namespace cable_variation {
+namespace {
+
+using Eigen::Vector3d;
+
+// The nominal arc length of the piece's place that is nearest to a point [m, world].
+double arcLengthAt(const EnvelopePiece& piece, const SolvedSample& solved, const Vector3d& point) {
+  const Centreline line =
+      centrelineOf(solved.harness.cables[piece.cable], solved.equilibrium.shapes[piece.cable]);
+  const auto found = NearestPlace(line, false).find(point, {line.pieces.size() / 2, 0.5}, 1e-6);
+  return std::clamp(line.arcLength(found.place), piece.start, piece.end);
+}
+
+// A harness that was solved is closer than the pieces are: overlaps deeper, or sticks out of them.
+void takePlaceOf(const SampleDistance& sample, EnvelopeClearance& clearance) {
+  const auto line = [&](std::size_t cable) {
+    return centrelineOf(sample.solved->harness.cables[cable], sample.solved->equilibrium.shapes[cable]);
+  };
+  const ClosestPair& pair = sample.pair;
+  const Centreline own = line(clearance.cable);
+  clearance.distance = pair.distance;
+  clearance.time = sample.time;
+  clearance.deviations = sample.deviations;
+  clearance.on_envelope = pair.on_cable - own.radius(pair.place) * pair.direction;
+  clearance.on_other = pair.on_other;
+  clearance.arc_length = own.arcLength(pair.place);
+  if (!clearance.other) return;
+  const Centreline other = line(*clearance.other);
+  clearance.on_other += other.radius(*pair.other_place) * pair.direction;
+  clearance.other_arc_length = other.arcLength(*pair.other_place);
+}
+
+// What samples solved again tell of the spot.
+void complete(ClearanceSpot& spot, SampleShapes& shapes) {
+  EnvelopeClearance& clearance = spot.clearance;
+  const EnvelopeSample& nearest = shapes.envelope().samples[spot.samples.front()];
+  const auto solved = shapes.sample(spot.samples.front());
+  const Pose frame = framePose(*solved, spot.frame);
+  clearance.on_envelope = frame * clearance.on_envelope;
+  clearance.on_other = frame * clearance.on_other;
+  clearance.time = nearest.time;
+  clearance.deviations = nearest.deviations;
+  clearance.arc_length = 0.5 * (spot.pieces[0]->start + spot.pieces[0]->end);
+  if (clearance.other) clearance.other_arc_length = 0.5 * (spot.pieces[1]->start + spot.pieces[1]->end);
+  if (solved->equilibrium.converged()) {
+    clearance.arc_length = arcLengthAt(*spot.pieces[0], *solved, clearance.on_envelope);
+    if (clearance.other) {
+      clearance.other_arc_length = arcLengthAt(*spot.pieces[1], *solved, clearance.on_other);
+    }
+  }
+
+  std::optional<SampleDistance> worst = closestDesign(shapes, spot.exact);
+  clearance.nominal = worst ? worst->pair.distance : std::numeric_limits<double>::infinity();
+  clearance.nominal_time = worst ? worst->time : 0.0;
+  for (const std::size_t sample : spot.samples) {
+    const auto found = distanceOf(shapes, sample, spot.exact);
+    if (found && (!worst || found->pair.distance < worst->pair.distance)) worst = found;
+  }
+  clearance.worst_sample = worst ? worst->pair.distance : std::numeric_limits<double>::infinity();
+  if (worst && worst->pair.distance < clearance.distance) takePlaceOf(*worst, clearance);
+}
+
+}  // namespace
+
+std::vector<EnvelopeClearance> clearances(const Scene& scene, const Envelope& envelope,
+                                          const EnvelopeOptions& options, const ComponentParts& parts,
+                                          const SampleSolver& solve,
+                                          const ClearanceOptions& clearance_options) {
+  tbb::task_arena arena(options.threads == 0 ? tbb::task_arena::automatic
+                                             : static_cast<int>(options.threads));
+  return arena.execute([&] {
+    ComponentParts all;
+    all.prepareAll(scene, parts);
+    SampleShapes shapes(envelope, solve);
+    const SpotFinder finder(scene, envelope, options, all, shapes, clearance_options);
+    std::vector<ClearanceSpot> spots = finder.find();
+    std::set<std::size_t> needed;
+    for (const ClearanceSpot& spot : spots) needed.insert(spot.samples.begin(), spot.samples.end());
+    for (std::size_t phase = 0; phase < envelope.phases.size(); ++phase) {
+      needed.insert(shapes.designSample(phase));
+    }
+    shapes.prepare({needed.begin(), needed.end()});
+    std::vector<EnvelopeClearance> result(spots.size());
+    tbb::parallel_for(std::size_t{0}, spots.size(), [&](std::size_t i) {
+      complete(spots[i], shapes);
+      result[i] = std::move(spots[i].clearance);
+    });
+    return result;
+  });
+}
+
+std::vector<EnvelopeClearance> clearances(const Scene& scene, const Envelope& envelope,
+                                          const EnvelopeOptions& options, const ComponentParts& parts,
+                                          const EquilibriumSolver& solver,
+                                          const ClearanceOptions& clearance_options) {
+  const SampleSolver solve = [&](const EnvelopeSample& sample) {
+    return solveSample(scene, options, envelope, sample, solver);
+  };
+  return clearances(scene, envelope, options, parts, solve, clearance_options);
+}
+
+}  // namespace cable_variation

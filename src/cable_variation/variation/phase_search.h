@@ -1,0 +1,100 @@
+#pragma once
+
+#include <functional>
+#include <set>
+#include <vector>
+
+#include <cable_variation/variation/curvature_model.h>
+#include <cable_variation/variation/envelope.h>
+#include <cable_variation/variation/growing_hull.h>
+#include <cable_variation/variation/shape_follower.h>
+
+namespace cable_variation {
+
+/// Looks for the shapes that span the envelope of one phase: the hulls grow where the derivatives of the
+/// shapes found so far say that other deviations, or another pose of the motion, lead further out.
+class PhaseSearch {
+ public:
+  /// @param times of the phase's poses; the follower's reference time among them
+  /// @param tolerance gain that is not worth a shape [m]
+  PhaseSearch(ShapeFollower follower, std::vector<double> times, double tolerance);
+
+  /// Takes in a shape found elsewhere, to start from it.
+  void add(const FollowedShape& found);
+  /// Until no facet of a hull is expected to move out by more than the tolerance, or none did although
+  /// expected, or `largest_solves` shapes are solved. `check` is called between rounds and may throw.
+  void run(std::size_t largest_solves, const std::function<void()>& check);
+
+  const ShapeFollower& follower() const { return follower_; }
+  const std::vector<double>& times() const { return times_; }
+  std::size_t solves() const { return solves_; }
+  std::size_t failures() const { return failures_; }
+  bool exhausted() const { return exhausted_; }  ///< largest_solves came first
+  double discretisationError() const { return discretisation_error_; }
+  const std::vector<StretchShape>& samples() const { return samples_; }
+  const std::vector<std::size_t>& sampleBranches() const { return sample_branch_; }
+  /// Per stretch, the largest with what hulls leave out [m].
+  const std::vector<double>& radius() const { return radius_; }
+
+  /// The shapes of one equilibrium and what it leads to.
+  struct Branch {
+    std::vector<std::vector<GrowingHull>> hulls;  ///< per frame and stretch
+    Eigen::Matrix3Xd first_ends;                  ///< of the first shape in it, seen from the world
+    double jump = 0.0;                            ///< that led to it [m]; 0: the design's own
+  };
+  const std::vector<Branch>& branches() const { return branches_; }
+  const std::vector<Snap>& snaps() const { return snaps_; }
+  const std::string& failure() const { return failure_; }  ///< message of the first
+
+ private:
+  // Where a hull could be pushed out.
+  struct Push {
+    std::size_t sample;        // whose derivatives tell
+    Eigen::VectorXd gradient;  // of the height, per coordinate
+    Eigen::VectorXd target;    // deviations
+    std::size_t pose;          // index into times_
+    double gain;               // expected in all [m]
+    double left;               // of it, after the candidates chosen so far [m]
+  };
+  struct Candidate {
+    Eigen::VectorXd deviations;
+    std::size_t pose;
+  };
+
+  std::vector<Push> pushes() const;
+  struct Scratch {
+    Eigen::VectorXd gradient, step, heights;
+    Eigen::MatrixXf bend;
+  };
+  void considerPush(const GrowingHull::Tag& tag, std::size_t frame, std::size_t stretch,
+                    const Eigen::Vector3d& outward, Scratch& scratch, std::vector<Push>& pushes) const;
+  void climb(const Eigen::VectorXd& here, Scratch& scratch) const;
+  void fitCurvature();
+  std::vector<Candidate> choose(std::vector<Push>& pushes);
+  void solve(const std::vector<Candidate>& candidates);
+  void insert(const StretchShape& shape, std::size_t branch);
+  void rebuild();
+  std::size_t branchOf(const FollowedShape::Jump& jump);
+  std::vector<int> key(const Candidate& candidate) const;
+
+  ShapeFollower follower_;
+  std::vector<double> times_;
+  double tolerance_;
+  Eigen::MatrixXd poses_;  // per time, coordinates of the motions relative to the reference
+  std::vector<StretchShape> samples_;
+  std::vector<Eigen::VectorXd> sample_coordinates_;
+  std::vector<std::size_t> sample_branch_;
+  std::vector<double> radius_;
+  std::vector<Branch> branches_;
+  CurvatureModel curvature_;
+  std::size_t fitted_ = 0;  // shapes that it knows
+  std::vector<Snap> snaps_;
+  std::set<std::vector<int>> looked_at_;
+  std::size_t solves_ = 0, failures_ = 0;
+  std::string failure_;
+  bool exhausted_ = false;
+  double gained_ = 0.0;  // by the last round: how far its shapes stick out of the hulls before [m]
+  double discretisation_error_ = 0.0;
+};
+
+}  // namespace cable_variation

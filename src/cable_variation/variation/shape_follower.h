@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <cable_variation/variation/stretch_shape.h>
+
+namespace cable_variation {
+
+/// A sample's shape, reached from the design's along a straight line of deviations and time.
+struct FollowedShape {
+  bool converged = false;
+  std::string message;  ///< for a person, unless converged
+  StretchShape shape;
+
+  /// The cables jumped on the way; the last jump counts.
+  struct Jump {
+    StretchShape before, after;
+    std::size_t stretch = 0;  ///< that moved most
+    double distance = 0.0;    ///< by how much [m]
+  };
+  std::optional<Jump> jump;
+};
+
+/// Follows the shape of one phase's reference to samples around it. const: may be shared by threads.
+class ShapeFollower {
+ public:
+  /// @param solver with the shape of the design at `reference_time`, to which `harness` and `equilibrium`
+  /// belong
+  ShapeFollower(const StretchReader& reader, EquilibriumSolver solver, const Harness& harness,
+                const Equilibrium& equilibrium, double reference_time);
+
+  const StretchShape& reference() const { return reference_; }
+  const StretchReader& reader() const { return *reader_; }
+  double referenceTime() const { return reference_time_; }
+  Eigen::VectorXd coordinates(const SamplePlace& place) const {
+    return reader_->space().coordinates(place, reference_time_);
+  }
+
+  FollowedShape follow(const SamplePlace& place, bool with_rates) const;
+
+ private:
+  FollowedShape followInSteps(const SamplePlace& place, bool with_rates) const;
+
+  const StretchReader* reader_;
+  EquilibriumSolver solver_;
+  double reference_time_;
+  StretchShape reference_;
+  double length_ = 0.0;  ///< of the longest cable [m]
+};
+
+}  // namespace cable_variation

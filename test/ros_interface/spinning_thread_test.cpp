@@ -1,0 +1,57 @@
+// Tasks handed to the thread that spins.
+#include <ros_interface/spinning_thread.h>
+
+#include <atomic>
+#include <thread>
+
+#include <gtest/gtest.h>
+#include <ros/callback_queue.h>
+
+namespace cable_variation_ros {
+namespace {
+
+/// A queue spun by the test's own thread while `other` runs on a second one.
+void spinWhile(ros::CallbackQueue& queue, const std::function<void()>& other) {
+  std::atomic<bool> ended{false};
+  std::thread thread([&] {
+    other();
+    ended = true;
+  });
+  while (!ended) queue.callAvailable(ros::WallDuration(0.01));
+  thread.join();
+}
+
+TEST(SpinningThread, RunsTasksThereAndWaitsForThem) {
+  ros::CallbackQueue queue;
+  SpinningThread spinning(queue);
+  std::thread::id ran_on;
+  spinWhile(queue, [&] {
+    spinning.run([&] { ran_on = std::this_thread::get_id(); });
+    EXPECT_EQ(ran_on == std::this_thread::get_id(), false);
+  });
+  EXPECT_EQ(ran_on, std::this_thread::get_id());
+}
+
+TEST(SpinningThread, HandsOnWhatATaskThrows) {
+  ros::CallbackQueue queue;
+  SpinningThread spinning(queue);
+  spinWhile(queue, [&] {
+    EXPECT_THROW(spinning.run([] { throw std::invalid_argument("no cable"); }), std::invalid_argument);
+  });
+}
+
+TEST(SpinningThread, WhoeverWaitsWhenItStopsIsToldAndTheTaskIsNotRun) {
+  ros::CallbackQueue queue;
+  SpinningThread spinning(queue);
+  bool ran = false;
+  std::thread waiting([&] { EXPECT_THROW(spinning.run([&] { ran = true; }), NodeEnds); });
+  while (queue.isEmpty()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  spinning.stop();
+  waiting.join();
+  queue.callAvailable();
+  EXPECT_FALSE(ran);
+  EXPECT_THROW(spinning.run([&] { ran = true; }), NodeEnds);
+}
+
+}  // namespace
+}  // namespace cable_variation_ros
