@@ -201,13 +201,15 @@ MeasureStatistics simulated(const ClosedForm& form, SamplerType type, std::uint6
   return accumulator.statistics(0.95, form.linear);
 }
 
-bool holds(const Interval& interval, double value) { return interval.low <= value && value <= interval.high; }
+bool holds(const ConfidenceInterval& interval, double value) {
+  return interval.low <= value && value <= interval.high;
+}
 
 // The interval of 1,000 repetitions' coverage is 95 % ± 2 %, three standard deviations.
 TEST(MeasureStatistics, IntervalsHoldTheTrueFiguresAsOftenAsTheySay) {
   constexpr int kSeeds = 1000;
   for (const ClosedForm& form : closedForms()) {
-    const std::uint64_t count = form.name == "skewed" ? 6000 : 1500;  // see Interval
+    const std::uint64_t count = form.name == "skewed" ? 6000 : 1500;  // see ConfidenceInterval
     const double upper = form.mean + 4.0 * form.sigma, cpk = 4.0 / 3.0;
     int mean = 0, sigma = 0, index = 0, controlled_mean = 0, controlled_sigma = 0;
     for (int seed = 0; seed < kSeeds; ++seed) {

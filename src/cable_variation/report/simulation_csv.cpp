@@ -11,10 +11,12 @@ std::string ofMeasure(const Measure& measure) {
   return csv::text(measure.name) + "," + csv::text(measure.unit);
 }
 
-std::string ends(const Interval& interval) {
+std::string ends(const ConfidenceInterval& interval) {
   return "," + number(interval.low) + "," + number(interval.high);
 }
-std::string ends(const std::optional<Interval>& interval) { return interval ? ends(*interval) : ",,"; }
+std::string ends(const std::optional<ConfidenceInterval>& interval) {
+  return interval ? ends(*interval) : ",,";
+}
 
 std::string capabilityColumns(const std::optional<Capability>& capability) {
   if (!capability) return std::string(15, ',');

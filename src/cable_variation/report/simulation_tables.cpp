@@ -10,7 +10,7 @@ namespace cable_variation {
 
 namespace {
 
-std::string between(const Interval& interval, double factor, int digits = 4) {
+std::string between(const ConfidenceInterval& interval, double factor, int digits = 4) {
   return figure(factor * interval.low, digits) + " … " + figure(factor * interval.high, digits);
 }
 

@@ -14,7 +14,7 @@ struct LinearMoments {
 /// Mean and standard deviation of a measure, made sharper by what is known of its linear prediction.
 struct ControlledEstimate {
   double mean = 0.0, sigma = 0.0;
-  Interval mean_interval, sigma_interval;
+  ConfidenceInterval mean_interval, sigma_interval;
   /// So many times as many samples would be needed without control.
   double mean_gain = 1.0, sigma_gain = 1.0;
   double correlation = 0.0;  ///< between measure and linear prediction

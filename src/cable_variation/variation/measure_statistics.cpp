@@ -32,7 +32,7 @@ double indexError(double index, double side, double skewness, double kurtosis, d
   return std::sqrt(std::max(0.0, square));
 }
 
-double halfWidth(const Interval& interval, double sigma) {
+double halfWidth(const ConfidenceInterval& interval, double sigma) {
   return std::max(interval.high - sigma, sigma - interval.low) / sigma;
 }
 
@@ -182,7 +182,7 @@ Capability MeasureAccumulator::capability(const MeasureStatistics& s, const Join
     const double width = *upper_ - *lower_;
     result.cp = width / (6.0 * s.sigma);
     result.cp_interval =
-        Interval{width / (6.0 * s.sigma_interval.high), width / (6.0 * s.sigma_interval.low)};
+        ConfidenceInterval{width / (6.0 * s.sigma_interval.high), width / (6.0 * s.sigma_interval.low)};
     if (reached) result.cp_quantile = width / (q_high - q_low);
   }
   return result;

@@ -15,14 +15,15 @@ namespace cable_variation {
 struct Capability {
   std::optional<double> cp;  ///< (upper - lower) / 6σ, with both limits
   double cpk = 0.0;          ///< distance from the mean to the nearer limit, over 3σ
-  std::optional<Interval> cp_interval;
-  Interval cpk_interval;  ///< Bissell's, with the measured skewness and kurtosis instead of a normal one's
+  std::optional<ConfidenceInterval> cp_interval;
+  ConfidenceInterval
+      cpk_interval;  ///< Bissell's, with the measured skewness and kurtosis instead of a normal one's
   /// The same over the quantiles at 0.135, 50 and 99.865 %, which are those of ±3σ if the measure is normal:
   /// right for any distribution (ISO 22514-2). None below 371 samples, which do not reach these quantiles.
   std::optional<double> cp_quantile, cpk_quantile;
   /// Shares outside, observed: of the samples that have a value.
   double below = 0.0, above = 0.0;
-  Interval outside_interval;  ///< of below + above
+  ConfidenceInterval outside_interval;  ///< of below + above
   /// Of all samples, those without a value counted as outside.
   double outside_at_worst = 0.0;
   /// Shares outside of a normal distribution with this mean and σ.
@@ -45,8 +46,8 @@ struct MeasureStatistics {
   double skewness = 0.0;           ///< normal: 0
   double kurtosis = 0.0;           ///< normal: 3
   double min = 0.0, max = 0.0;
-  Interval mean_interval;
-  Interval sigma_interval;  ///< from the measured kurtosis
+  ConfidenceInterval mean_interval;
+  ConfidenceInterval sigma_interval;  ///< from the measured kurtosis
   std::vector<Percentile> percentiles;
   double percentile_error = 0.0;  ///< at most; 0: exact
   Histogram histogram;
