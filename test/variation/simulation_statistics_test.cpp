@@ -2,8 +2,11 @@
 // figures.
 #include <cable_variation/variation/simulation_statistics.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <thread>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -107,6 +110,39 @@ TEST(SimulationStatistics, BlocksMergeIntoTheSameFigures) {
     EXPECT_EQ(once.statistics[i].histogram.counts, blocks.statistics[i].histogram.counts);
   }
   EXPECT_LT((once.contributions.first_order - blocks.contributions.first_order).norm(), 1e-12);
+}
+
+TEST(SimulationStatistics, ThreadsDoNotMatterToTheLastBit) {
+  const Scene scene = sceneOfTwo();
+  const Sampler sampler(scene, {0, 1}, SamplerType::monte_carlo, kSamples, 1);
+  constexpr std::size_t kBlock = 256;
+  const auto simulated = [&](std::size_t threads) {
+    const SimulationAccumulator empty(scene, {0, 1}, {0, 1});
+    std::vector<SimulationAccumulator> blocks((kSamples + kBlock - 1) / kBlock, empty);
+    std::vector<std::thread> running;
+    for (std::size_t t = 0; t < threads; ++t) {
+      running.emplace_back([&, t] {
+        for (std::size_t b = t; b < blocks.size(); b += threads) {
+          for (std::uint64_t i = kBlock * b; i < std::min<std::uint64_t>(kSamples, kBlock * (b + 1)); ++i) {
+            add(blocks[b], sampler, i, true);
+          }
+        }
+      });
+    }
+    for (std::thread& thread : running) thread.join();
+    SimulationAccumulator all = empty;
+    for (const SimulationAccumulator& block : blocks) all.merge(block);
+    return all.statistics(0.95);
+  };
+  const SimulationStatistics one = simulated(1), three = simulated(3);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(one.statistics[i].mean, three.statistics[i].mean);
+    EXPECT_EQ(one.statistics[i].sigma, three.statistics[i].sigma);
+    EXPECT_EQ(one.statistics[i].kurtosis, three.statistics[i].kurtosis);
+    EXPECT_EQ(one.statistics[i].percentiles[0].value, three.statistics[i].percentiles[0].value);
+  }
+  EXPECT_EQ(one.contributions.first_order, three.contributions.first_order);
+  EXPECT_EQ(one.contributions.slope, three.contributions.slope);
 }
 
 // σ of normal measures to ±0.5 % at 95 %: (1.96/0.005)²/2 = 76,800 samples with a value; a tenth has none.
