@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <cable_variation/report/markup.h>
+#include <cable_variation/report/svg.h>
 
 namespace cable_variation {
 
@@ -13,28 +14,6 @@ namespace {
 /// Told apart with every colour vision (Okabe and Ito 2008).
 constexpr std::array<const char*, 7> kLineColors = {"#0072b2", "#e69f00", "#009e73", "#cc79a7",
                                                     "#56b4e9", "#d55e00", "#16181d"};
-
-std::string pixels(double value) {
-  const double rounded = std::round(10.0 * value) / 10.0;
-  const std::string text = std::to_string(rounded == 0.0 ? 0.0 : rounded);
-  return text.substr(0, text.find('.') + 2);
-}
-
-std::string svg(double width, double height, const std::string& content) {
-  return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + pixels(width) + "\" height=\"" +
-         pixels(height) + "\" viewBox=\"0 0 " + pixels(width) + " " + pixels(height) + "\" role=\"img\">\n" +
-         content + "</svg>\n";
-}
-
-std::string text(double x, double y, const char* anchor, const std::string& content) {
-  return "<text x=\"" + pixels(x) + "\" y=\"" + pixels(y) + "\" text-anchor=\"" + anchor + "\">" +
-         escaped(content) + "</text>\n";
-}
-
-std::string line(double x1, double y1, double x2, double y2, const std::string& style) {
-  return "<line x1=\"" + pixels(x1) + "\" y1=\"" + pixels(y1) + "\" x2=\"" + pixels(x2) + "\" y2=\"" +
-         pixels(y2) + "\" style=\"" + style + "\"/>\n";
-}
 
 /// Labels are at least `gap` apart, in their order, and as near their places as that allows going down, then
 /// up.
@@ -58,12 +37,11 @@ std::string barChart(const std::vector<Bar>& bars) {
   for (std::size_t i = 0; i < bars.size(); ++i) {
     const double top = kRow * static_cast<double>(i);
     const double length = largest > 0.0 ? kBars * bars[i].value / largest : 0.0;
-    content += text(kLabels - 6.0, top + 14.0, "end", bars[i].label);
-    content += "<rect x=\"" + pixels(kLabels) + "\" y=\"" + pixels(top + 3.0) + "\" width=\"" +
-               pixels(length) + "\" height=\"14.0\" style=\"fill:#2678b2\"/>\n";
-    content += text(kLabels + length + 5.0, top + 14.0, "start", bars[i].text);
+    content += svg::text(kLabels - 6.0, top + 14.0, "end", bars[i].label);
+    content += svg::rectangle(kLabels, top + 3.0, length, 14.0, "fill:#2678b2");
+    content += svg::text(kLabels + length + 5.0, top + 14.0, "start", bars[i].text);
   }
-  return svg(kLabels + kBars + kValues, kRow * static_cast<double>(bars.size()), content);
+  return svg::element(kLabels + kBars + kValues, kRow * static_cast<double>(bars.size()), content);
 }
 
 std::string lowHighChart(double nominal, const std::vector<LowHighLine>& lines,
@@ -93,19 +71,21 @@ std::string lowHighChart(double nominal, const std::vector<LowHighLine>& lines,
   const double low_x = kLeft, nominal_x = kLeft + 0.5 * kPlot, high_x = kLeft + kPlot;
   std::string content;
   for (const double x : {low_x, nominal_x, high_x}) {
-    content += line(x, kTop, x, kTop + plot_height, "stroke:#d5d9e0");
+    content += svg::line(x, kTop, x, kTop + plot_height, "stroke:#d5d9e0");
   }
   for (const std::optional<double>& limit : {lower, upper}) {
     if (limit && *limit >= smallest && *limit <= largest) {
-      content += line(low_x, height(*limit), high_x, height(*limit), "stroke:#b00020;stroke-dasharray:5 3");
+      content +=
+          svg::line(low_x, height(*limit), high_x, height(*limit), "stroke:#b00020;stroke-dasharray:5 3");
     }
   }
-  content += text(kLeft - 6.0, height(largest) + 4.0, "end", figure(largest, 3));
-  if (largest > smallest) content += text(kLeft - 6.0, height(smallest) + 4.0, "end", figure(smallest, 3));
+  content += svg::text(kLeft - 6.0, height(largest) + 4.0, "end", figure(largest, 3));
+  if (largest > smallest)
+    content += svg::text(kLeft - 6.0, height(smallest) + 4.0, "end", figure(smallest, 3));
   const double bottom = kTop + plot_height + 16.0;
-  content += text(low_x, bottom, "middle", "low");
-  content += text(nominal_x, bottom, "middle", "nominal");
-  content += text(high_x, bottom, "middle", "high");
+  content += svg::text(low_x, bottom, "middle", "low");
+  content += svg::text(nominal_x, bottom, "middle", "nominal");
+  content += svg::text(high_x, bottom, "middle", "high");
 
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < lines.size(); ++i) order.push_back(i);
@@ -121,16 +101,16 @@ std::string lowHighChart(double nominal, const std::vector<LowHighLine>& lines,
     const std::string color = kLineColors[order[k] % kLineColors.size()];
     const std::string style = "stroke:" + color + ";stroke-width:1.5";
     if (std::isfinite(entry.low)) {
-      content += line(low_x, height(entry.low), nominal_x, height(nominal), style);
+      content += svg::line(low_x, height(entry.low), nominal_x, height(nominal), style);
     }
     if (std::isfinite(entry.high)) {
-      content += line(nominal_x, height(nominal), high_x, height(entry.high), style);
+      content += svg::line(nominal_x, height(nominal), high_x, height(entry.high), style);
     }
-    content += line(high_x, height(end(order[k])), high_x + 14.0, places[k],
-                    "stroke:" + color + ";stroke-width:1.5");
-    content += text(high_x + 17.0, places[k] + 4.0, "start", entry.label);
+    content += svg::line(high_x, height(end(order[k])), high_x + 14.0, places[k],
+                         "stroke:" + color + ";stroke-width:1.5");
+    content += svg::text(high_x + 17.0, places[k] + 4.0, "start", entry.label);
   }
-  return svg(kLeft + kPlot + kRight, kTop + plot_height + kBottom, content);
+  return svg::element(kLeft + kPlot + kRight, kTop + plot_height + kBottom, content);
 }
 
 }  // namespace cable_variation

@@ -50,6 +50,8 @@ std::string figure(double value, int digits) {
   return result;
 }
 
+std::string percent(double share) { return figure(100.0 * share, 3) + " %"; }
+
 ShownUnit shownUnit(const std::string& si_unit) {
   if (si_unit == "m") return {"mm", 1e3};
   if (si_unit == "rad") return {"°", 180.0 / M_PI};

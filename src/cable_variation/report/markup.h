@@ -11,6 +11,8 @@ std::string escaped(const std::string& text);
 /// A figure for a person, to `digits` significant ones, without trailing zeros; not a number: a dash.
 std::string figure(double value, int digits = 4);
 
+std::string percent(double share);  ///< to three figures
+
 /// The unit in which a person reads a quantity: mm for m, degrees for rad, others as they are.
 struct ShownUnit {
   std::string name;     ///< empty: dimensionless

@@ -14,8 +14,6 @@ namespace {
 
 constexpr std::size_t kMostBars = 8;
 
-std::string percent(double share) { return figure(100.0 * share, 3) + " %"; }
-
 /// Indices of the variables by falling share in a measure's variance.
 std::vector<std::size_t> byShare(const StabilityAnalysis& analysis, std::size_t measure) {
   std::vector<std::size_t> order(analysis.variables.size());

@@ -1,0 +1,187 @@
+#include <cable_variation/report/simulation_tables.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include <cable_variation/report/markup.h>
+#include <cable_variation/report/stability_tables.h>
+
+namespace cable_variation {
+
+namespace {
+
+std::string between(const ConfidenceInterval& interval, double factor, int digits = 4) {
+  return figure(factor * interval.low, digits) + " … " + figure(factor * interval.high, digits);
+}
+
+ReportCell plain(const std::string& text) { return {text, 0.0, false}; }
+
+ReportCell optional(const std::optional<double>& value, double factor, int digits = 4) {
+  return plain(value ? figure(factor * *value, digits) : "");
+}
+
+// Below 1 the spread does not fit between the limits.
+ReportCell index(double value) { return {figure(value, 3), 0.0, value < 1.0}; }
+
+// A small share in parts per million too.
+std::string rejects(double share) {
+  const std::string text = percent(share);
+  return share > 0.0 && share < 0.01 ? text + " (" + figure(1e6 * share, 5) + " ppm)" : text;
+}
+
+// What is less than half a thousandth is nothing here.
+double inThousandths(double value) { return std::round(1e3 * value) / 1e3; }
+
+std::string gain(double factor) { return factor > 1000.0 ? "> 1000" : figure(factor, 3); }
+
+std::string confidenceText(const SimulationStatistics& statistics) {
+  const double confidence = statistics.statistics.empty() ? 0.95 : statistics.statistics.front().confidence;
+  return figure(100.0 * confidence, 3) + " %";
+}
+
+}  // namespace
+
+ReportTable meanTable(const Scene& scene, const SimulationStatistics& statistics) {
+  const std::string at = "\nat " + confidenceText(statistics);
+  ReportTable table{"Of all samples that have a finite value",
+                    {"measure", "nominal", "mean", "mean between" + at, "σ", "σ between" + at, "smallest",
+                     "largest", "skewness", "kurtosis", "unit", "samples", "without\nvalue", "infinite"},
+                    {}};
+  for (std::size_t i = 0; i < statistics.measures.size(); ++i) {
+    const Measure& measure = scene.measures[statistics.measures[i]];
+    const MeasureStatistics& s = statistics.statistics[i];
+    const ShownUnit unit = shownUnit(measure.unit);
+    const auto cell = [&](double value) {
+      const bool out = (measure.lower && value < *measure.lower) || (measure.upper && value > *measure.upper);
+      return ReportCell{figure(unit.factor * value), 0.0, out};
+    };
+    table.rows.push_back({plain(measure.name),
+                          cell(statistics.nominal[i]),
+                          cell(s.mean),
+                          plain(between(s.mean_interval, unit.factor)),
+                          plain(figure(unit.factor * s.sigma)),
+                          plain(between(s.sigma_interval, unit.factor)),
+                          cell(s.min),
+                          cell(s.max),
+                          plain(figure(inThousandths(s.skewness), 3)),
+                          plain(figure(inThousandths(s.kurtosis), 3)),
+                          plain(unit.name),
+                          plain(std::to_string(s.count)),
+                          {std::to_string(s.missing), 0.0, s.missing > 0},
+                          plain(std::to_string(s.infinite))});
+  }
+  return table;
+}
+
+ReportTable capabilityTable(const Scene& scene, const SimulationStatistics& statistics) {
+  ReportTable table{"Limits, capability and rejects",
+                    {"measure", "lower limit", "upper limit", "unit", "Cp", "Cpk",
+                     "Cpk between\nat " + confidenceText(statistics), "Cpk by\nquantiles",
+                     "outside\nobserved", "outside between\nat " + confidenceText(statistics),
+                     "outside, with those\nwithout value", "outside if\nnormal"},
+                    {}};
+  for (std::size_t i = 0; i < statistics.measures.size(); ++i) {
+    const MeasureStatistics& s = statistics.statistics[i];
+    if (!s.capability) continue;
+    const Measure& measure = scene.measures[statistics.measures[i]];
+    const ShownUnit unit = shownUnit(measure.unit);
+    const Capability& c = *s.capability;
+    table.rows.push_back(
+        {plain(measure.name), optional(measure.lower, unit.factor), optional(measure.upper, unit.factor),
+         plain(unit.name), c.cp ? index(*c.cp) : plain(""), index(c.cpk),
+         plain(between(c.cpk_interval, 1.0, 3)), c.cpk_quantile ? index(*c.cpk_quantile) : plain(""),
+         plain(rejects(c.below + c.above)),
+         plain(percent(c.outside_interval.low) + " … " + percent(c.outside_interval.high)),
+         plain(rejects(c.outside_at_worst)), plain(rejects(c.below_normal + c.above_normal))});
+  }
+  return table;
+}
+
+ReportTable percentileTable(const Scene& scene, const SimulationStatistics& statistics) {
+  ReportTable table{"Percentiles: that share of the samples lies below", {"measure"}, {}};
+  for (std::size_t i = 0; i < statistics.measures.size(); ++i) {
+    const MeasureStatistics& s = statistics.statistics[i];
+    if (i == 0) {
+      for (const Percentile& percentile : s.percentiles) {
+        table.columns.push_back(figure(100.0 * percentile.share, 5) + " %");
+      }
+      table.columns.insert(table.columns.end(), {"unit", "known to"});
+    }
+    const ShownUnit unit = shownUnit(scene.measures[statistics.measures[i]].unit);
+    std::vector<ReportCell> row{plain(scene.measures[statistics.measures[i]].name)};
+    for (const Percentile& percentile : s.percentiles) {
+      row.push_back(plain(figure(unit.factor * percentile.value)));
+    }
+    row.push_back(plain(unit.name));
+    row.push_back(plain(s.percentile_error > 0.0 ? figure(unit.factor * s.percentile_error, 2) : "exact"));
+    table.rows.push_back(row);
+  }
+  return table;
+}
+
+ReportTable controlTable(const Scene& scene, const SimulationStatistics& statistics) {
+  const std::string at = "\nat " + confidenceText(statistics);
+  ReportTable table{
+      "Sharper by what is known of the linear model (control variate); gain: so many times as many samples "
+      "would "
+      "say as much without it",
+      {"measure", "mean", "mean between" + at, "gain", "σ", "σ between" + at, "gain", "unit", "note"},
+      {}};
+  for (std::size_t i = 0; i < statistics.measures.size(); ++i) {
+    const MeasureStatistics& s = statistics.statistics[i];
+    const ShownUnit unit = shownUnit(scene.measures[statistics.measures[i]].unit);
+    std::vector<ReportCell> row{plain(scene.measures[statistics.measures[i]].name)};
+    if (s.controlled) {
+      const ControlledEstimate& c = *s.controlled;
+      row.insert(row.end(),
+                 {plain(figure(unit.factor * c.mean)), plain(between(c.mean_interval, unit.factor)),
+                  plain(gain(c.mean_gain)), plain(figure(unit.factor * c.sigma)),
+                  plain(between(c.sigma_interval, unit.factor)), plain(gain(c.sigma_gain)), plain(unit.name),
+                  plain("")});
+    } else {
+      row.insert(row.end(), 6, plain(""));
+      row.push_back(plain(unit.name));
+      row.push_back(plain(s.no_control));
+    }
+    table.rows.push_back(row);
+  }
+  return table;
+}
+
+ReportTable shareTable(const Scene& scene, const SimulationStatistics& statistics, const std::string& caption,
+                       const Eigen::MatrixXd& share) {
+  ReportTable table{caption, {"variable"}, {}};
+  for (const std::size_t measure : statistics.measures) table.columns.push_back(scene.measures[measure].name);
+  for (std::size_t j = 0; j < statistics.variables.size(); ++j) {
+    std::vector<ReportCell> row{plain(scene.design_variables[statistics.variables[j]].name)};
+    for (std::size_t i = 0; i < statistics.measures.size(); ++i) {
+      const double value = share(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
+      row.push_back({percent(inThousandths(value)), std::isnan(value) ? 0.0 : std::max(value, 0.0), false});
+    }
+    table.rows.push_back(row);
+  }
+  return table;
+}
+
+ReportTable listedTable(const Scene& scene, const SimulationStatistics& statistics,
+                        const DesignValues& values, std::size_t most) {
+  ReportTable table{"", {"sample", "outcome"}, {}};
+  for (const std::size_t j : statistics.variables) {
+    const ShownUnit unit = shownUnit(scene.design_variables[j].unit);
+    table.columns.push_back(scene.design_variables[j].name +
+                            (unit.name.empty() ? "" : "\n[" + unit.name + "]"));
+  }
+  for (std::size_t k = 0; k < std::min(most, statistics.listed.size()); ++k) {
+    const ListedSample& sample = statistics.listed[k];
+    std::vector<ReportCell> row{plain(std::to_string(sample.index)), plain(toString(sample.outcome))};
+    for (std::size_t j = 0; j < statistics.variables.size(); ++j) {
+      const DesignVariable& variable = scene.design_variables[statistics.variables[j]];
+      const double value = nominalValue(variable, values) + sample.deviations[j];
+      row.push_back(plain(figure(shownUnit(variable.unit).factor * value)));
+    }
+    table.rows.push_back(row);
+  }
+  return table;
+}
+
+}  // namespace cable_variation

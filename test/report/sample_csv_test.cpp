@@ -1,0 +1,117 @@
+// Samples written as they come: complete, or marked as partial; a disk that fills is an error.
+#include <cable_variation/report/sample_csv.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+#include <sys/resource.h>
+
+#include <gtest/gtest.h>
+
+namespace cable_variation {
+namespace {
+
+namespace fs = std::filesystem;
+
+class SampleCsvTest : public testing::Test {
+ protected:
+  SampleCsvTest() {
+    std::string name = (fs::temp_directory_path() / "samples_XXXXXX").string();
+    folder_ = mkdtemp(name.data());
+    path_ = (folder_ / "samples.csv").string();
+    DesignVariable length;
+    length.name = "length";
+    length.unit = "m";
+    length.nominal = 0.3;
+    scene_.design_variables = {length};
+    Measure gap;
+    gap.name = "a \"gap\"";
+    gap.unit = "m";
+    scene_.measures = {gap, gap};
+  }
+  ~SampleCsvTest() override { fs::remove_all(folder_); }
+
+  SampleCsv csv() const { return SampleCsv(path_, scene_, {0}, {1}, {}); }
+
+  static std::string contentsOf(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+  }
+
+  fs::path folder_;
+  std::string path_;
+  Scene scene_;
+};
+
+TEST_F(SampleCsvTest, ACompleteFileHasItsName) {
+  SampleCsv samples = csv();
+  const double deviation = 0.0625, value = 0.1;
+  samples.add(0, SampleOutcome::solved, &deviation, &value);
+  samples.add(1, SampleOutcome::not_converged, &deviation, nullptr);
+  EXPECT_FALSE(fs::exists(path_));
+  samples.finish();
+  EXPECT_FALSE(fs::exists(samples.partialPath()));
+  EXPECT_EQ(contentsOf(path_),
+            "sample,outcome,\"length [m]\",\"a \"\"gap\"\" [m]\"\r\n"
+            "0,solved,0.36249999999999999,0.10000000000000001\r\n"
+            "1,not_converged,0.36249999999999999,nan\r\n");
+  EXPECT_THROW(samples.add(2, SampleOutcome::solved, &deviation, &value), std::logic_error);
+}
+
+TEST_F(SampleCsvTest, AnEndedOneIsMarkedAsPartial) {
+  const double zero = 0.0;
+  {
+    SampleCsv samples = csv();
+    samples.add(0, SampleOutcome::solved, &zero, &zero);
+  }
+  EXPECT_FALSE(fs::exists(path_));
+  EXPECT_NE(contentsOf(path_ + ".partial").find("0,solved,"), std::string::npos);
+}
+
+TEST_F(SampleCsvTest, AFolderThatIsNotThereIsAnError) {
+  try {
+    SampleCsv((folder_ / "no" / "samples.csv").string(), scene_, {0}, {1}, {});
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("samples.csv.partial' cannot be written: No such file"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+// Files of this process may grow to 64 kB for a while: as a full disk, but for the system's words.
+TEST_F(SampleCsvTest, ADiskThatFillsIsAnError) {
+  rlimit usual;
+  getrlimit(RLIMIT_FSIZE, &usual);
+  rlimit small = usual;
+  small.rlim_cur = 65536;
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  setrlimit(RLIMIT_FSIZE, &small);
+  SampleCsv samples = csv();
+  std::string said;
+  std::uint64_t written = 0;
+  try {
+    for (; written < 10000; ++written) {
+      const double value = 1.0 / 3.0;
+      samples.add(written, SampleOutcome::solved, &value, &value);
+    }
+  } catch (const std::runtime_error& error) {
+    said = error.what();
+  }
+  setrlimit(RLIMIT_FSIZE, &usual);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_LT(written, 10000u);
+  EXPECT_NE(said.find("cannot be written: File too large"), std::string::npos) << said;
+  EXPECT_FALSE(fs::exists(path_));
+  EXPECT_TRUE(fs::exists(samples.partialPath()));
+}
+
+}  // namespace
+}  // namespace cable_variation
