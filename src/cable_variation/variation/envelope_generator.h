@@ -8,17 +8,15 @@
 #include <cable_variation/harness/equilibrium.h>
 #include <cable_variation/scene/scene.h>
 #include <cable_variation/variation/envelope.h>
+#include <cable_variation/variation/varied_design.h>
 
 namespace cable_variation {
 
-struct EnvelopeOptions {
+/// With a motion nothing else need vary.
+struct EnvelopeOptions : VariedDesign {
   std::vector<std::size_t> cables;     ///< indices; empty: all
-  std::vector<std::size_t> variables;  ///< indices; may be empty with a motion only
-  std::vector<std::size_t> motions;    ///< indices into Scene::motions, played together; empty: at rest
   double from = 0.0;                   ///< of the motions [s]
   double to = -1.0;                    ///< likewise; negative: the end of the longest
-  DesignValues values;                 ///< the design: nominal values other than the scene's
-  ComponentPoses moved;                ///< at rest: components that are not where the scene has them
   std::vector<std::string> frames;     ///< components to see the envelope from, beside the world
   double margin = 1e-4;                ///< protrusion to stay below before inflation [m]
   bool conservative = true;            ///< inflate until nothing sticks out

@@ -9,14 +9,14 @@
 
 namespace cable_variation {
 
-SampleSpace::SampleSpace(const Scene& scene, const EnvelopeOptions& options)
-    : scene_(&scene), options_(&options), tolerances_(scene, options.variables) {
-  for (const std::size_t index : options.variables) {
+SampleSpace::SampleSpace(const Scene& scene, const VariedDesign& design)
+    : scene_(&scene), design_(&design), tolerances_(scene, design.variables) {
+  for (const std::size_t index : design.variables) {
     const DesignVariable& variable = scene.design_variables[index];
-    const auto given = options.values.find(variable.name);
-    design_.push_back(given == options.values.end() ? variable.nominal : given->second);
+    const auto given = design.values.find(variable.name);
+    nominal_.push_back(given == design.values.end() ? variable.nominal : given->second);
   }
-  for (const std::size_t index : options.motions) {
+  for (const std::size_t index : design.motions) {
     if (index >= scene.motions.size()) {
       throw std::invalid_argument("motion number " + std::to_string(index) + "; expected less than " +
                                   std::to_string(scene.motions.size()));
@@ -40,16 +40,16 @@ SamplePlace SampleSpace::designAt(double time) const {
 }
 
 DesignValues SampleSpace::values(const SamplePlace& place) const {
-  DesignValues values = options_->values;
-  for (std::size_t i = 0; i < design_.size(); ++i) {
-    values[scene_->design_variables[options_->variables[i]].name] =
-        design_[i] + place.deviations[static_cast<Eigen::Index>(i)];
+  DesignValues values = design_->values;
+  for (std::size_t i = 0; i < nominal_.size(); ++i) {
+    values[scene_->design_variables[design_->variables[i]].name] =
+        nominal_[i] + place.deviations[static_cast<Eigen::Index>(i)];
   }
   return values;
 }
 
 ComponentPoses SampleSpace::moved(double time) const {
-  ComponentPoses poses = options_->moved;
+  ComponentPoses poses = design_->moved;
   for (auto& [name, pose] : posesDuring(*scene_, motions_, time)) poses[name] = pose;
   return poses;
 }
@@ -80,7 +80,7 @@ Eigen::VectorXd SampleSpace::coordinates(const SamplePlace& place, double refere
 std::vector<DesignRate> SampleSpace::rates(const SamplePlace& place) const {
   const DesignValues at = values(place);
   const ComponentPoses where = moved(place.time);
-  std::vector<DesignRate> rates = designRates(*scene_, at, where, options_->variables);
+  std::vector<DesignRate> rates = designRates(*scene_, at, where, design_->variables);
   for (const Motion* motion : motions_) {
     for (DesignRate& rate : rigidMotionRates(*scene_, at, where, motion->component)) {
       rates.push_back(std::move(rate));

@@ -7,8 +7,8 @@
 #include <cable_variation/harness/harness.h>
 #include <cable_variation/scene/design_rate.h>
 #include <cable_variation/scene/scene.h>
-#include <cable_variation/variation/envelope_generator.h>
 #include <cable_variation/variation/tolerance_space.h>
+#include <cable_variation/variation/varied_design.h>
 
 namespace cable_variation {
 
@@ -18,13 +18,13 @@ struct SamplePlace {
   double time = 0.0;           ///< [s]
 };
 
-/// The design with its tolerances and motions: what an envelope is taken over. const and free of hidden
-/// state: may be shared by threads.
+/// A design with its tolerances and motions: what an envelope is taken over. const and free of hidden state:
+/// may be shared by threads.
 class SampleSpace {
  public:
   /// Both must outlive the space. Throws std::invalid_argument: nothing varies, an index out of range or
   /// given twice, a motion without poses, two motions of one component.
-  SampleSpace(const Scene& scene, const EnvelopeOptions& options);
+  SampleSpace(const Scene& scene, const VariedDesign& design);
 
   const Scene& scene() const { return *scene_; }
   const ToleranceSpace& tolerances() const { return tolerances_; }
@@ -50,9 +50,9 @@ class SampleSpace {
   ComponentPoses moved(double time) const;
 
   const Scene* scene_;
-  const EnvelopeOptions* options_;
+  const VariedDesign* design_;
   ToleranceSpace tolerances_;
-  std::vector<double> design_;  // per variable, its value in the design
+  std::vector<double> nominal_;  // per variable, its value in the design
   std::vector<const Motion*> motions_;
 };
 

@@ -40,11 +40,12 @@ FollowedShape ShapeFollower::follow(const SamplePlace& place, bool with_rates) c
   FollowedShape followed;
   try {
     EquilibriumSolver solver = solver_;
-    const Harness harness = reader_->space().harness(place);
-    const Equilibrium found = solver.update(harness);
-    if (!found.converged()) return followInSteps(place, with_rates);
-    followed.shape = with_rates ? reader_->readWithRates(place, harness, found, solver)
-                                : reader_->read(place, harness, found);
+    followed.harness = reader_->space().harness(place);
+    followed.equilibrium = solver.update(followed.harness);
+    if (!followed.equilibrium.converged()) return followInSteps(place, with_rates);
+    followed.shape = with_rates
+                         ? reader_->readWithRates(place, followed.harness, followed.equilibrium, solver)
+                         : reader_->read(place, followed.harness, followed.equilibrium);
   } catch (const std::invalid_argument& error) {
     followed.message = error.what();
     return followed;
@@ -78,13 +79,13 @@ FollowedShape ShapeFollower::followInSteps(const SamplePlace& place, bool with_r
     StretchShape there;
     bool found = false;
     try {
-      const Harness harness = reader_->space().harness(placeAt(next));
-      const Equilibrium equilibrium = ahead.update(harness);
-      found = equilibrium.converged();
+      followed.harness = reader_->space().harness(placeAt(next));
+      followed.equilibrium = ahead.update(followed.harness);
+      found = followed.equilibrium.converged();
       if (found)
-        there = reader_->readWithRates(placeAt(next), harness, equilibrium, ahead);
+        there = reader_->readWithRates(placeAt(next), followed.harness, followed.equilibrium, ahead);
       else
-        followed.message = equilibrium.message;
+        followed.message = followed.equilibrium.message;
     } catch (const std::exception& error) {
       followed.message = error.what();
       found = false;

@@ -12,6 +12,8 @@ namespace cable_variation {
 struct FollowedShape {
   bool converged = false;
   std::string message;  ///< for a person, unless converged
+  Harness harness;
+  Equilibrium equilibrium;
   StretchShape shape;
 
   /// The cables jumped on the way; the last jump counts.

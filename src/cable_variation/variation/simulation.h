@@ -13,14 +13,12 @@
 #include <cable_variation/variation/measure_evaluation.h>
 #include <cable_variation/variation/simulation_statistics.h>
 #include <cable_variation/variation/stability_analysis.h>
+#include <cable_variation/variation/varied_design.h>
 
 namespace cable_variation {
 
-struct SimulationOptions {
-  std::vector<std::size_t> variables;  ///< indices; what varies
-  std::vector<std::size_t> measures;   ///< indices; may be empty: only the variation along the cables
-  DesignValues values;                 ///< the design: nominal values other than the scene's
-  ComponentPoses moved;                ///< at rest: components that are not where the scene has them
+struct SimulationOptions : VariedDesign {
+  std::vector<std::size_t> measures;  ///< indices; may be empty: only the variation along the cables
 
   SamplerType sampler = SamplerType::monte_carlo;
   std::uint64_t seed = 1;
@@ -31,10 +29,9 @@ struct SimulationOptions {
   double sigma_error = 0.0;
   double confidence = 0.95;
 
-  std::vector<std::size_t> motions;  ///< indices into Scene::motions, played together; empty: at rest
-  double from = 0.0;                 ///< of the motions [s]
-  double to = 0.0;                   ///< the same: variation at that time; later: the worst over the motion
-  std::size_t most_times = 16;       ///< at which each sample is solved to find its worst
+  double from = 0.0;            ///< of the motions [s]
+  double to = 0.0;              ///< the same: variation at that time; later: the worst over the motion
+  std::size_t most_times = 16;  ///< at which each sample is solved to find its worst
 
   std::size_t sections = 65;    ///< along each cable, ends included, at least 2: for the variation along it
   std::size_t kept_shapes = 0;  ///< shapes of the first samples that are kept, to be seen
