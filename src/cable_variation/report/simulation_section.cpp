@@ -68,6 +68,7 @@ std::string contributionBars(const Scene& scene, const SimulationStatistics& sta
                    [&](std::size_t a, std::size_t b) { return value(a) > value(b); });
   order.resize(std::min(order.size(), kMostBars));
   std::vector<Bar> bars;
+  bars.reserve(order.size());
   for (const std::size_t j : order) {
     bars.push_back({scene.design_variables[statistics.variables[j]].name, std::max(value(j), 0.0),
                     percent(std::round(1e3 * value(j)) / 1e3)});

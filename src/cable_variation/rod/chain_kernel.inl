@@ -139,7 +139,7 @@ void force(const Energy& energy, double (*rhs)[kLanes], double (*left)[kLanes], 
 
 inline Pack larger(Pack a, Pack b) { return a > b ? a : b; }
 // 0, or not a number where `a` is none or infinite: comparisons lose it.
-inline Pack poison(Pack a) { return a - a; }
+inline Pack poison(Pack a) { return 0.0 * a; }
 
 void largest(const double (*rows)[kLanes], int count, const double* gyration, double* largest_yet) {
   for (int lane = 0; lane < kLanes; lane += kWidth) {
