@@ -7,11 +7,11 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <cable_variation/geometry/body_union.h>
 #include <cable_variation/geometry/filled_surface.h>
 #include <cable_variation/geometry/marching_tetrahedra.h>
+#include <cable_variation/math/thread_limit.h>
 
 namespace cable_variation {
 namespace {
@@ -189,9 +189,7 @@ OuterSurface outerSurface(const Bodies& bodies, const OuterSurfaceOptions& optio
 
   OuterSurface surface;
   Contourer::Contour contour;
-  tbb::task_arena arena(options.threads == 0 ? tbb::task_arena::automatic
-                                             : static_cast<int>(options.threads));
-  arena.execute([&] {
+  withThreads(options.threads, [&] {
     if (options.excess > 0.0) {
       surface.cell = cellFor(options.excess, smallest);
       contour = Contourer(bodies, cores, surface.cell).contour();

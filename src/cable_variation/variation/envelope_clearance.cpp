@@ -5,9 +5,9 @@
 #include <set>
 
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <cable_variation/geometry/nearest_place.h>
+#include <cable_variation/math/thread_limit.h>
 #include <cable_variation/variation/cable_view.h>
 #include <cable_variation/variation/clearance_samples.h>
 #include <cable_variation/variation/clearance_spots.h>
@@ -80,9 +80,8 @@ std::vector<EnvelopeClearance> clearances(const Scene& scene, const Envelope& en
                                           const EnvelopeOptions& options, const ComponentParts& parts,
                                           const SampleSolver& solve,
                                           const ClearanceOptions& clearance_options) {
-  tbb::task_arena arena(options.threads == 0 ? tbb::task_arena::automatic
-                                             : static_cast<int>(options.threads));
-  return arena.execute([&] {
+  std::vector<EnvelopeClearance> result;
+  withThreads(options.threads, [&] {
     ComponentParts all;
     all.prepareAll(scene, parts);
     SampleShapes shapes(envelope, solve);
@@ -94,13 +93,13 @@ std::vector<EnvelopeClearance> clearances(const Scene& scene, const Envelope& en
       needed.insert(shapes.designSample(phase));
     }
     shapes.prepare({needed.begin(), needed.end()});
-    std::vector<EnvelopeClearance> result(spots.size());
+    result.resize(spots.size());
     tbb::parallel_for(std::size_t{0}, spots.size(), [&](std::size_t i) {
       complete(spots[i], shapes);
       result[i] = std::move(spots[i].clearance);
     });
-    return result;
   });
+  return result;
 }
 
 std::vector<EnvelopeClearance> clearances(const Scene& scene, const Envelope& envelope,

@@ -11,9 +11,9 @@
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <cable_variation/geometry/voxel_set.h>
+#include <cable_variation/math/thread_limit.h>
 #include <cable_variation/variation/envelope_verification.h>
 #include <cable_variation/variation/motion_phases.h>
 #include <cable_variation/variation/phase_search.h>
@@ -422,9 +422,9 @@ class Generator {
 
 Envelope generateEnvelope(const Scene& scene, const EnvelopeOptions& options, const EquilibriumSolver& solver,
                           const EnvelopeObserver& observer) {
-  tbb::task_arena arena(options.threads == 0 ? tbb::task_arena::automatic
-                                             : static_cast<int>(options.threads));
-  return arena.execute([&] { return Generator(scene, options, solver, observer).run(); });
+  Envelope envelope;
+  withThreads(options.threads, [&] { envelope = Generator(scene, options, solver, observer).run(); });
+  return envelope;
 }
 
 SolvedSample solveSample(const Scene& scene, const EnvelopeOptions& options, const Envelope& envelope,
