@@ -55,5 +55,11 @@ TEST(CounterRandom, SeedStreamRowAndColumnAllTellNumbersApart) {
   EXPECT_NE(CounterRandom(1, 1).uniform(5, 3), x);
 }
 
+TEST(CounterRandom, ARowGivesItsNumbersColumnByColumn) {
+  const CounterRandom random(1, 1);
+  RandomRow row(random, 5);
+  for (std::uint32_t column = 0; column < 4; ++column) EXPECT_EQ(row.uniform(), random.uniform(5, column));
+}
+
 }  // namespace
 }  // namespace cable_variation

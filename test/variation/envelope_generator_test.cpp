@@ -3,7 +3,6 @@
 #include <cable_variation/variation/envelope_generator.h>
 
 #include <cmath>
-#include <random>
 #include <stdexcept>
 #include <string>
 
@@ -121,10 +120,11 @@ TEST(envelope_generator, holds_every_harness_that_is_drawn_afterwards) {
   EXPECT_GE(envelope.tightness.ratio(), 1.0);
 
   const ToleranceSpace tolerances(scene, options.variables);
-  std::mt19937_64 engine(20);
+  const CounterRandom random(20, 1);
   for (int i = 0; i < 300; ++i) {
+    RandomRow numbers(random, static_cast<std::uint64_t>(i));
     const Eigen::VectorXd deviations =
-        i % 2 == 0 ? tolerances.random(engine) : tolerances.randomNearLimits(engine);
+        i % 2 == 0 ? tolerances.random(numbers) : tolerances.randomNearLimits(numbers);
     DesignValues values;
     for (std::size_t k = 0; k < options.variables.size(); ++k) {
       values[scene.design_variables[k].name] = deviations[static_cast<Eigen::Index>(k)];

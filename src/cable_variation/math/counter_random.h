@@ -36,4 +36,17 @@ class CounterRandom {
   std::uint32_t stream_;
 };
 
+/// The numbers of one row, one after the other: for what draws as many as it happens to need.
+class RandomRow {
+ public:
+  RandomRow(const CounterRandom& random, std::uint64_t row) : random_(random), row_(row) {}
+
+  double uniform() { return random_.uniform(row_, column_++); }  ///< in (0, 1), evenly
+
+ private:
+  CounterRandom random_;
+  std::uint64_t row_;
+  std::uint32_t column_ = 0;
+};
+
 }  // namespace cable_variation

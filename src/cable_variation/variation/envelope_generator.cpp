@@ -37,6 +37,8 @@ constexpr double kTakenIn = 0.5;
 constexpr double kLongestStretch = 2.0, kStride = 0.5;
 // A section turns as much as a clip near it, and the cable moves aside by that turn times some of its length.
 constexpr double kLever = 0.25;
+// Tell the random numbers of both kinds of shapes apart, and from those of a PointSet.
+constexpr std::uint32_t kContainmentStream = 3, kTightnessStream = 4;
 // Voxels are as large as this share of the thinnest cable's radius.
 constexpr double kVoxel = 1.0 / 6.0;
 
@@ -205,11 +207,12 @@ class Generator {
 
   std::vector<RandomShape> look(std::size_t first, std::size_t count) {
     const ContainmentCheck check(searches_);
+    const CounterRandom random(options_.seed, kContainmentStream);
     std::vector<RandomShape> shapes(count);
     std::atomic<std::size_t> done{0};
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 16), [&](const auto& range) {
       for (std::size_t i = range.begin(); i != range.end(); ++i) {
-        shapes[i] = check.look(drawPlace(space_, options_.from, end_, options_.seed, first + i));
+        shapes[i] = check.look(drawPlace(space_, options_.from, end_, random, first + i));
       }
       done += range.size();
       report_({"containment", 0.6 + 0.3 * static_cast<double>(done) / static_cast<double>(count), done,
@@ -332,7 +335,7 @@ class Generator {
     }
   }
 
-  // The envelope's volume, and that of shapes drawn after those for containment.
+  // The envelope's volume, and that of shapes drawn apart from those for containment.
   void measureVolume() {
     Tightness& tightness = envelope_.tightness;
     const std::vector<EnvelopePiece>& pieces = envelope_.frames.front().pieces;
@@ -347,12 +350,13 @@ class Generator {
     tightness.envelope_volume = volumeOf(sets, none);
     if (options_.tightness == 0) return;
     const ContainmentCheck check(searches_);
+    const CounterRandom random(options_.seed, kTightnessStream);
     tbb::enumerable_thread_specific<VoxelSet> shapes(none);
     std::atomic<std::size_t> done{0}, drawn{0};
     tbb::parallel_for(tbb::blocked_range<std::size_t>(0, options_.tightness, 16), [&](const auto& range) {
       VoxelSet& own = shapes.local();
       for (std::size_t i = range.begin(); i != range.end(); ++i) {
-        const SamplePlace place = drawPlace(space_, options_.from, end_, ~options_.seed, i);
+        const SamplePlace place = drawPlace(space_, options_.from, end_, random, i);
         const PhaseSearch& phase = searches_[check.phaseOf(place.time)];
         const FollowedShape followed = phase.follower().follow(place, false);
         if (!followed.converged) continue;

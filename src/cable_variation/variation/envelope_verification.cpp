@@ -4,16 +4,14 @@
 #include <limits>
 
 namespace cable_variation {
-SamplePlace drawPlace(const SampleSpace& space, double from, double to, std::uint64_t seed,
-                      std::size_t index) {
-  std::seed_seq sequence{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32),
-                         static_cast<std::uint32_t>(index), static_cast<std::uint32_t>(index >> 32)};
-  std::mt19937_64 engine(sequence);
-  const double share = static_cast<double>(engine() >> 11) * 0x1.0p-53;
+
+SamplePlace drawPlace(const SampleSpace& space, double from, double to, const CounterRandom& random,
+                      std::uint64_t index) {
+  RandomRow numbers(random, index);
   SamplePlace place;
-  place.time = from + share * (to - from);
+  place.time = from + numbers.uniform() * (to - from);
   place.deviations =
-      index % 2 == 0 ? space.tolerances().random(engine) : space.tolerances().randomNearLimits(engine);
+      index % 2 == 0 ? space.tolerances().random(numbers) : space.tolerances().randomNearLimits(numbers);
   return place;
 }
 

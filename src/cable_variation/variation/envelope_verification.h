@@ -17,10 +17,10 @@ struct RandomShape {
   std::size_t stretch = 0;  ///< where it sticks out most
 };
 
-/// Draws shape number `index` of the sequence of `seed`: a time evenly over the motion, and deviations evenly
-/// within the tolerances (even numbers) or spread over their limits (odd).
-SamplePlace drawPlace(const SampleSpace& space, double from, double to, std::uint64_t seed,
-                      std::size_t index);
+/// Draws shape number `index` of a sequence: a time evenly over the motion, and deviations evenly within the
+/// tolerances (even numbers) or spread over their limits (odd).
+SamplePlace drawPlace(const SampleSpace& space, double from, double to, const CounterRandom& random,
+                      std::uint64_t index);
 
 /// Tells how far shapes stick out of the pieces that the searches have found.
 class ContainmentCheck {

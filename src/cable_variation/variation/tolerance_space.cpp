@@ -7,14 +7,11 @@
 namespace cable_variation {
 namespace {
 
-// The same on every platform, other than std::uniform_real_distribution: in [0, 1).
-double uniform(std::mt19937_64& engine) { return static_cast<double>(engine() >> 11) * 0x1.0p-53; }
-
 // A direction of any number of dimensions, by rejection from the cube around the ball.
-Eigen::VectorXd randomDirection(std::mt19937_64& engine, Eigen::Index dimensions) {
+Eigen::VectorXd randomDirection(RandomRow& numbers, Eigen::Index dimensions) {
   for (;;) {
     Eigen::VectorXd point(dimensions);
-    for (Eigen::Index i = 0; i < dimensions; ++i) point[i] = 2.0 * uniform(engine) - 1.0;
+    for (Eigen::Index i = 0; i < dimensions; ++i) point[i] = 2.0 * numbers.uniform() - 1.0;
     const double norm = point.norm();
     if (norm <= 1.0 && norm > 1e-3) return point / norm;
   }
@@ -70,18 +67,18 @@ Eigen::VectorXd ToleranceSpace::farthest(const Eigen::VectorXd& gradient,
   return point;
 }
 
-Eigen::VectorXd ToleranceSpace::drawn(std::mt19937_64& engine, double share_at_limits) const {
+Eigen::VectorXd ToleranceSpace::drawn(RandomRow& numbers, double share_at_limits) const {
   Eigen::VectorXd point(size());
   for (Eigen::Index i = 0; i < size(); ++i) {
-    const bool at_limit = uniform(engine) < share_at_limits;
-    const double share = uniform(engine);
+    const bool at_limit = numbers.uniform() < share_at_limits;
+    const double share = numbers.uniform();
     point[i] = at_limit ? (share < 0.5 ? lower_[i] : upper_[i]) : lower_[i] + share * (upper_[i] - lower_[i]);
   }
   for (const Region& region : regions_) {
     const auto dimensions = static_cast<Eigen::Index>(region.coordinates.size());
-    const Eigen::VectorXd direction = randomDirection(engine, dimensions);
-    const bool at_limit = uniform(engine) < share_at_limits;
-    const double share = std::pow(uniform(engine), 1.0 / static_cast<double>(dimensions));
+    const Eigen::VectorXd direction = randomDirection(numbers, dimensions);
+    const bool at_limit = numbers.uniform() < share_at_limits;
+    const double share = std::pow(numbers.uniform(), 1.0 / static_cast<double>(dimensions));
     for (Eigen::Index k = 0; k < dimensions; ++k) {
       point[region.coordinates[static_cast<std::size_t>(k)]] =
           region.radius * (at_limit ? 1.0 : share) * direction[k];
@@ -90,9 +87,9 @@ Eigen::VectorXd ToleranceSpace::drawn(std::mt19937_64& engine, double share_at_l
   return point;
 }
 
-Eigen::VectorXd ToleranceSpace::random(std::mt19937_64& engine) const { return drawn(engine, 0.0); }
+Eigen::VectorXd ToleranceSpace::random(RandomRow& numbers) const { return drawn(numbers, 0.0); }
 
-Eigen::VectorXd ToleranceSpace::randomNearLimits(std::mt19937_64& engine) const { return drawn(engine, 0.5); }
+Eigen::VectorXd ToleranceSpace::randomNearLimits(RandomRow& numbers) const { return drawn(numbers, 0.5); }
 
 bool ToleranceSpace::contains(const Eigen::VectorXd& deviations, double relative_slack) const {
   for (Eigen::Index i = 0; i < size(); ++i) {

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <random>
 #include <string>
 #include <vector>
 
 #include <Eigen/Core>
 
+#include <cable_variation/math/counter_random.h>
 #include <cable_variation/scene/scene.h>
 
 namespace cable_variation {
@@ -30,10 +30,10 @@ class ToleranceSpace {
   Eigen::VectorXd farthest(const Eigen::VectorXd& gradient, const Eigen::VectorXd& otherwise) const;
 
   /// Spread evenly.
-  Eigen::VectorXd random(std::mt19937_64& engine) const;
+  Eigen::VectorXd random(RandomRow& numbers) const;
   /// Spread over the limits: each interval at one of its ends with probability 1/2, each region on its
   /// surface likewise, else evenly within.
-  Eigen::VectorXd randomNearLimits(std::mt19937_64& engine) const;
+  Eigen::VectorXd randomNearLimits(RandomRow& numbers) const;
 
   bool contains(const Eigen::VectorXd& deviations, double relative_slack = 1e-12) const;
 
@@ -42,7 +42,7 @@ class ToleranceSpace {
     std::vector<Eigen::Index> coordinates;
     double radius;
   };
-  Eigen::VectorXd drawn(std::mt19937_64& engine, double share_at_limits) const;
+  Eigen::VectorXd drawn(RandomRow& numbers, double share_at_limits) const;
 
   Eigen::VectorXd lower_, upper_;
   std::vector<int> region_of_;  // per variable, -1: none
