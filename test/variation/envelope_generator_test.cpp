@@ -161,17 +161,6 @@ TEST(envelope_generator, does_not_depend_on_threads) {
   }
 }
 
-// A strip between two clamps, bowed to one side; when one clamp is turned far enough it snaps to the other.
-Scene bowedStrip() {
-  Section strip = roundSection(1e4, 4e3, 1.0, 1.0, 0.0, 0.002);
-  strip.EI_z = 0.01;
-  Cable cable = uniformCable(0.30, strip);
-  cable.via = {{0.13, 0.08, 0.0}};
-  Scene scene = sceneOf(clamped(cable, poseAt(0.26, 0.0, 0.0), Vector3d::Zero()));
-  addVariable(scene, "turn", ClipRotation{0, Axis::z}, -80.0 * kDegree, 5.0 * kDegree);
-  return scene;
-}
-
 TEST(envelope_generator, is_split_where_the_cable_snaps) {
   const Scene scene = bowedStrip();
   EnvelopeOptions options = exactly();

@@ -3,6 +3,7 @@
 // Scenes whose envelopes have closed forms, and ways to look at an envelope.
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <cable_variation/variation/envelope_generator.h>
@@ -28,6 +29,17 @@ inline void addVariable(Scene& scene, const std::string& name, const DesignTarge
   made.upper = upper;
   made.distribution_parameters["sigma"] = 3.0;
   scene.design_variables.push_back(made);
+}
+
+/// A strip between two clamps, bowed to one side; when one clamp is turned far enough it snaps to the other.
+inline Scene bowedStrip() {
+  Section strip = roundSection(1e4, 4e3, 1.0, 1.0, 0.0, 0.002);
+  strip.EI_z = 0.01;
+  Cable cable = uniformCable(0.30, strip);
+  cable.via = {{0.13, 0.08, 0.0}};
+  Scene scene = sceneOf(clamped(cable, poseAt(0.26, 0.0, 0.0), Eigen::Vector3d::Zero()));
+  addVariable(scene, "turn", ClipRotation{0, Axis::z}, -80.0 * M_PI / 180.0, 5.0 * M_PI / 180.0);
+  return scene;
 }
 
 inline EquilibriumSolver solverOf(const Scene& scene) {

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
 #include <cable_variation/harness/discretisation.h>
 #include <cable_variation/harness/lane_system.h>
+#include <cable_variation/harness/smallest_eigenvalue.h>
 
 namespace cable_variation {
 namespace {
@@ -106,15 +108,18 @@ struct BatchSolver::Lanes {
   bool arrive(std::size_t lane);
   void judgeStep(std::size_t lane, int step, const Plan& plan);
   void judgeGrid();
+  double smallestEigenvalue(int lane);
 
   const Nominal& nominal;
   LaneSystem system, merged;
   std::size_t count = 0;
   std::array<BatchOutcome, kBatch> outcomes;
   std::array<Path, kBatch> paths;
-  LaneSystem::Flags active{};   // on their way
-  LaneSystem::Flags waiting{};  // for a more thorough plan
-  bool hessian = false;         // evaluated last
+  LaneSystem::Flags active{};     // on their way
+  LaneSystem::Flags waiting{};    // for a more thorough plan
+  std::optional<Problem> single;  // of one lane, for its eigenvalue
+  NodalField softest;             // motion of the nominal shape
+  bool hessian = false;           // evaluated last
 };
 
 BatchSolver::BatchSolver(const EquilibriumSolver& nominal)
@@ -254,6 +259,26 @@ const BatchOutcome& BatchSolver::outcome(std::size_t index) const {
   if (index >= lanes_->count)
     throw std::out_of_range("no harness " + std::to_string(index) + " in the batch");
   return lanes_->outcomes[index];
+}
+
+double BatchSolver::Lanes::smallestEigenvalue(int lane) {
+  if (!single) {
+    single.emplace(nominal.problem);
+    single->system->evaluate(single->configuration, RodSystem::Hessian::exact);
+    cable_variation::smallestEigenvalue(*single->system, single->configuration, &softest);
+  }
+  single->harness = system.harness(lane);
+  single->topology = makeTopology(single->harness);
+  system.read(lane, single->configuration);
+  single->system->harnessChanged();
+  single->system->evaluate(single->configuration, RodSystem::Hessian::exact);
+  return cable_variation::smallestEigenvalue(*single->system, single->configuration, nullptr, &softest);
+}
+
+double BatchSolver::smallestEigenvalue(std::size_t index) {
+  if (!outcome(index).converged())
+    throw std::logic_error("harness " + std::to_string(index) + " of the batch has no equilibrium");
+  return lanes_->smallestEigenvalue(static_cast<int>(index));
 }
 
 Equilibrium BatchSolver::describe(std::size_t index) const {

@@ -66,6 +66,9 @@ class BatchSolver {
   const BatchOutcome& outcome(std::size_t index) const;
   /// All that EquilibriumSolver tells, but for the smallest eigenvalue (0) and the solve time (0).
   Equilibrium describe(std::size_t index) const;
+  /// Of one that has converged, as Equilibrium::smallest_eigenvalue [N/m]; takes longer than to solve it.
+  /// Throws std::logic_error if it has not.
+  double smallestEigenvalue(std::size_t index);
 
  private:
   struct Nominal;

@@ -68,6 +68,8 @@ class LaneSystem {
   /// The largest stretch or compression at an element's end.
   double largestStretch(int lane) const;
   const Harness& harness(int lane) const;
+  /// Its nodes and stations, as a RodSystem on the same grid takes them.
+  void read(int lane, Configuration& configuration) const;
 
  private:
   struct Element;

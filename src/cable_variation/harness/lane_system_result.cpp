@@ -52,6 +52,24 @@ double LaneSystem::largestStretch(int lane) const {
   return largest;
 }
 
+void LaneSystem::read(int lane, Configuration& configuration) const {
+  configuration.stations = lanes_[static_cast<std::size_t>(lane)]->configuration.stations;
+  for (std::size_t i = 0; i < spans_.size(); ++i) {
+    SpanConfiguration& span = configuration.spans[i];
+    for (std::size_t e = 0; e < spans_[i].count; ++e) {
+      const element::Input& input = elements_[spans_[i].first_element + e].input;
+      for (int node = 0; node < kNodes; ++node) {
+        const std::size_t at = (kNodes - 1) * e + static_cast<std::size_t>(node);
+        const auto& p = input.position[node];
+        const auto& q = input.quaternion[node];
+        span.positions[at] = {p[0][lane], p[1][lane], p[2][lane]};
+        const Pose pose{span.positions[at], {q[0][lane], q[1][lane], q[2][lane], q[3][lane]}};
+        span.orientations[at] = pose.orientation;
+      }
+    }
+  }
+}
+
 void LaneSystem::describe(int index, Equilibrium& result) const {
   const Lane& lane = *lanes_[static_cast<std::size_t>(index)];
   const Topology& topology = problem_.topology;

@@ -10,6 +10,9 @@
 namespace cable_variation {
 namespace {
 
+// Beside a motion to start from, which is of norm 1.
+constexpr double kOfOthers = 1e-3;
+
 // A vector with a part along everything, the same every time.
 NodalField deterministicField(const RodSystem& system) {
   NodalField field = system.zeroField();
@@ -29,7 +32,8 @@ NodalField deterministicField(const RodSystem& system) {
 
 }  // namespace
 
-double smallestEigenvalue(RodSystem& system, const Configuration& configuration, NodalField* motion) {
+double smallestEigenvalue(RodSystem& system, const Configuration& configuration, NodalField* motion,
+                          const NodalField* near) {
   constexpr int kSteps = 24;
   const auto bending = system.bendingMetric();
   const auto surface = system.surfaceMetric();
@@ -41,13 +45,18 @@ double smallestEigenvalue(RodSystem& system, const Configuration& configuration,
   }
   std::vector<NodalField> basis, weighted;
   Eigen::VectorXd diagonal(kSteps), off(kSteps);
-  NodalField v = deterministicField(system);
-  NodalField start;
-  system.solve(v, start);
-  v = start;
+  NodalField v;
+  system.solve(deterministicField(system), v);
   NodalField nv;
   system.applyMetric(surface, v, nv);
   double norm = std::sqrt(v.dot(nv));
+  if (near != nullptr) {
+    // with a little of everything, lest another motion has become the softest
+    v.scale(kOfOthers / norm);
+    v.addScaled(1.0, *near);
+    system.applyMetric(surface, v, nv);
+    norm = std::sqrt(v.dot(nv));
+  }
   double value = 0.0;
   Eigen::VectorXd ritz;
   for (int k = 0; k < kSteps; ++k) {

@@ -8,7 +8,8 @@ namespace cable_variation {
 /// square motion [N/m], and its motion; after evaluate() with the exact Hessian at
 /// `configuration`. By Lanczos' method on the inverse, to 1e-9 of itself; the
 /// motion is right to about the square root of that.
-double smallestEigenvalue(RodSystem& system, const Configuration& configuration,
-                          NodalField* motion = nullptr);
+/// @param near the softest motion of a similar harness on the same grid: it is found faster from there
+double smallestEigenvalue(RodSystem& system, const Configuration& configuration, NodalField* motion = nullptr,
+                          const NodalField* near = nullptr);
 
 }  // namespace cable_variation

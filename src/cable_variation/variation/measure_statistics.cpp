@@ -87,6 +87,14 @@ void MeasureAccumulator::merge(const MeasureAccumulator& later) {
   histogram_.merge(later.histogram_);
 }
 
+RunningFigures MeasureAccumulator::running() const {
+  JointMoments moments = even_;
+  moments.merge(odd_);
+  const auto count = static_cast<double>(moments.count());
+  if (moments.count() < 2) return {kNaN, kNaN};
+  return {moments.meanX(), std::sqrt(moments.central(2, 0) * count / (count - 1.0))};
+}
+
 MeasureStatistics MeasureAccumulator::statistics(double confidence,
                                                  const std::optional<LinearMoments>& linear) const {
   checkConfidence(confidence);

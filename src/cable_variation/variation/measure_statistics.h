@@ -63,6 +63,11 @@ struct MeasureStatistics {
 /// @param error in (0, 1), else std::invalid_argument. 0: not known yet, fewer than 32 samples
 std::uint64_t samplesNeeded(const MeasureStatistics& statistics, double error);
 
+/// Of a measure's values so far; σ over n - 1. Not a number: too few.
+struct RunningFigures {
+  double mean = 0.0, sigma = 0.0;
+};
+
 /// Collects the values of one measure: streaming, in bounded memory, mergeable. The same order of calls gives
 /// the same numbers bit for bit: of several threads, let each fill one for a fixed block of samples, and
 /// merge in the order of the blocks.
@@ -76,6 +81,7 @@ class MeasureAccumulator {
   void merge(const MeasureAccumulator& later);
 
   std::uint64_t count() const { return even_.count() + odd_.count(); }
+  RunningFigures running() const;
 
   /// @param linear moments of the linear predictions added
   /// Throws std::invalid_argument: a confidence outside (0, 1).

@@ -34,6 +34,7 @@ class SampleSpace {
 
   Harness harness(const SamplePlace& place) const;
   ComponentPoses components(const SamplePlace& place) const;  ///< of all, world
+  ComponentPoses moved(double time) const;                    ///< as designed, those that are moved
 
   /// First-order coordinates: the variables, then per motion a shift along the world's axes [m] and a
   /// rotation vector [rad] of its component about its origin.
@@ -47,7 +48,6 @@ class SampleSpace {
 
  private:
   DesignValues values(const SamplePlace& place) const;
-  ComponentPoses moved(double time) const;
 
   const Scene* scene_;
   const VariedDesign* design_;

@@ -73,6 +73,13 @@ void SimulationAccumulator::merge(const SimulationAccumulator& later) {
   contributor_.merge(later.contributor_);
 }
 
+std::vector<RunningFigures> SimulationAccumulator::running() const {
+  std::vector<RunningFigures> figures;
+  figures.reserve(accumulators_.size());
+  for (const MeasureAccumulator& accumulator : accumulators_) figures.push_back(accumulator.running());
+  return figures;
+}
+
 SimulationStatistics SimulationAccumulator::statistics(
     double confidence, const std::vector<std::optional<LinearMoments>>& linear) const {
   SimulationStatistics result;

@@ -71,6 +71,10 @@ class SimulationAccumulator {
            const double* linear);
   void merge(const SimulationAccumulator& later);
 
+  std::uint64_t samples() const { return samples_; }
+  std::uint64_t count(SampleOutcome outcome) const { return outcomes_[static_cast<std::size_t>(outcome)]; }
+  std::vector<RunningFigures> running() const;  ///< per measure
+
   /// All but sampler, seed, wanted and nominal. @param linear per measure; empty: no model
   SimulationStatistics statistics(double confidence,
                                   const std::vector<std::optional<LinearMoments>>& linear = {}) const;

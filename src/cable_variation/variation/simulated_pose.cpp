@@ -1,0 +1,208 @@
+#include <cable_variation/variation/simulated_pose.h>
+
+#include <algorithm>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+#include <cable_variation/variation/arc_variation.h>
+#include <cable_variation/variation/measure_context.h>
+#include <cable_variation/variation/tolerances.h>
+
+namespace cable_variation {
+namespace {
+
+// Stretches that shapes are followed by, in radii of the thinnest cable: their ends tell of a jump.
+constexpr double kStretch = 4.0;
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+StabilityAnalysis analysisOf(const SampleSpace& space, const VariedDesign& design,
+                             const std::vector<std::size_t>& measures, const MeasureEvaluator& evaluator,
+                             const EquilibriumSolver& solver, double time) {
+  StabilityOptions options;
+  options.variables = design.variables;
+  options.measures = measures;
+  options.values = design.values;
+  options.moved = space.moved(time);
+  options.low_high = false;
+  StabilityAnalysis analysis = analyseStability(space.scene(), evaluator, options, solver);
+  if (analysis.nominal.converged()) return analysis;
+  std::ostringstream text;
+  text << "the design has no equilibrium";
+  if (!space.motions().empty()) text << " at " << time << " s";
+  text << ": " << analysis.nominal.message;
+  throw std::runtime_error(text.str());
+}
+
+// At the design's shape, as samples are solved.
+EquilibriumSolver broughtTo(const Harness& harness, EquilibriumSolver solver,
+                            const EquilibriumOptions& options) {
+  solver.setOptions(options);
+  if (!solver.update(harness).converged()) throw std::runtime_error("the design has no equilibrium");
+  return solver;
+}
+
+std::vector<CableView> viewsOf(const Harness& harness, const Equilibrium& equilibrium) {
+  std::vector<CableView> views;
+  views.reserve(harness.cables.size());
+  for (std::size_t i = 0; i < harness.cables.size(); ++i)
+    views.emplace_back(harness.cables[i], equilibrium.shapes[i]);
+  return views;
+}
+
+}  // namespace
+
+SimulatedPose::SimulatedPose(const SampleSpace& space, const VariedDesign& design,
+                             const std::vector<std::size_t>& measures, const MeasureEvaluator& evaluator,
+                             std::size_t sections, const EquilibriumSolver& solver, double time)
+    : space_(&space),
+      time_(time),
+      measures_(measures),
+      harness_(space.harness(space.designAt(time))),
+      linear_(analysisOf(space, design, measures, evaluator, solver, time)),
+      solver_(solver),
+      evaluator_(
+          evaluator.with(space.scene(), {harness_, linear_.nominal, space.components(space.designAt(time))})),
+      reader_(space, stretches_, frames_) {
+  const Scene& scene = space.scene();
+  eigenvalue_ = std::any_of(measures.begin(), measures.end(), [&](std::size_t index) {
+    return scene.measures[index].type == Measure::Type::eigenvalue;
+  });
+  EquilibriumOptions options;
+  options.accuracy = scene.accuracy;
+  options.eigenvalue = eigenvalue_;
+  solver_ = broughtTo(harness_, solver_, options);
+  for (std::size_t i = 0; i < sections; ++i)
+    shares_.push_back(static_cast<double>(i) / static_cast<double>(sections - 1));
+  findAxes(scene, design.variables);
+  const std::vector<CableView> views = viewsOf(harness_, linear_.nominal);
+  double thinnest = std::numeric_limits<double>::infinity();
+  for (const CableShape& shape : linear_.nominal.shapes) thinnest = std::min(thinnest, shape.radius);
+  for (std::size_t cable = 0; cable < views.size(); ++cable) {
+    const auto own = cutIntoStretches(cable, views[cable], kStretch * thinnest);
+    stretches_.insert(stretches_.end(), own.begin(), own.end());
+  }
+  follower_.emplace(reader_, solver_, harness_, linear_.nominal, time);
+  try {
+    batch_.emplace(solver_);
+  } catch (const std::invalid_argument&) {
+    // a clip that slides or the like: every sample is followed by itself
+  }
+}
+
+// Principal axes of each section's first-order covariance.
+void SimulatedPose::findAxes(const Scene& scene, const std::vector<std::size_t>& variables) {
+  const Eigen::MatrixXd covariance = spreadOf(scene, variables).covariance;
+  const std::vector<CableView> views = viewsOf(harness_, linear_.nominal);
+  const std::vector<DesignRate> rates = space_->rates(space_->designAt(time_));
+  const auto count = static_cast<Eigen::Index>(variables.size());
+  axes_.resize(views.size());
+  for (std::size_t cable = 0; cable < views.size(); ++cable) {
+    for (const double arc_length : arcLengths(cable)) {
+      const Place place = views[cable].at(arc_length);
+      Eigen::Matrix3Xd gradient(3, count);
+      for (Eigen::Index j = 0; j < count; ++j) {
+        const MeasureRates change{rates[static_cast<std::size_t>(j)],
+                                  linear_.rates[static_cast<std::size_t>(j)]};
+        gradient.col(j) = views[cable].rate(place, change.cable(cable)).position;
+      }
+      axes_[cable].push_back(principalAxes(gradient * covariance * gradient.transpose()).directions);
+    }
+  }
+}
+
+std::vector<double> SimulatedPose::arcLengths(std::size_t cable) const {
+  std::vector<double> arc_lengths;
+  arc_lengths.reserve(shares_.size());
+  for (const double share : shares_) arc_lengths.push_back(share * harness_.cables[cable].length);
+  return arc_lengths;
+}
+
+void SimulatedPose::predict(const double* deviations, double* values) const {
+  const auto count = static_cast<Eigen::Index>(linear_.variables.size());
+  const Eigen::Map<const Eigen::VectorXd> at(deviations, count);
+  for (std::size_t i = 0; i < measures_.size(); ++i) {
+    values[i] = linear_.one_sided[i]
+                    ? kNaN
+                    : linear_.values[i].value + linear_.jacobian.row(static_cast<Eigen::Index>(i)).dot(at);
+  }
+}
+
+std::vector<std::optional<LinearMoments>> SimulatedPose::linearMoments() const {
+  std::vector<std::optional<LinearMoments>> moments(measures_.size());
+  for (std::size_t i = 0; i < measures_.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    if (linear_.one_sided[i]) continue;
+    moments[i] = LinearMoments{linear_.values[i].value + linear_.mean_shift[row], linear_.sigma[row]};
+  }
+  return moments;
+}
+
+PoseWorker::PoseWorker(const SimulatedPose& pose) : pose_(&pose), batch_(pose.batch_) {
+  harnesses_.reserve(kSamples);
+}
+
+const std::array<PoseSample, PoseWorker::kSamples>& PoseWorker::solve(const Eigen::MatrixXd& deviations) {
+  const auto count = static_cast<std::size_t>(deviations.cols());
+  std::array<SamplePlace, kSamples> places;
+  std::array<std::size_t, kSamples> sample_of{};  // each harness's
+  harnesses_.clear();
+  for (std::size_t i = 0; i < count; ++i) {
+    places[i] = {deviations.col(static_cast<Eigen::Index>(i)), pose_->time_};
+    samples_[i] = {};
+    try {
+      harnesses_.push_back(pose_->space_->harness(places[i]));
+      sample_of[harnesses_.size() - 1] = i;
+    } catch (const std::invalid_argument&) {
+      samples_[i].outcome = SampleOutcome::impossible;
+    }
+  }
+  if (batch_ && !harnesses_.empty()) batch_->solve(harnesses_.data(), harnesses_.size());
+  for (std::size_t k = 0; k < harnesses_.size(); ++k) {
+    const std::size_t i = sample_of[k];
+    if (batch_ && batch_->outcome(k).converged()) {
+      samples_[i].outcome = SampleOutcome::solved;
+      Equilibrium equilibrium = batch_->describe(k);
+      if (pose_->eigenvalue_) equilibrium.smallest_eigenvalue = batch_->smallestEigenvalue(k);
+      read(places[i], harnesses_[k], equilibrium, samples_[i]);
+    } else {
+      solveRobustly(places[i], samples_[i]);
+    }
+  }
+  return samples_;
+}
+
+void PoseWorker::solveRobustly(const SamplePlace& place, PoseSample& sample) {
+  sample.solved_again = true;
+  const FollowedShape followed = pose_->follower_->follow(place, false);
+  if (followed.converged) {
+    sample.outcome = followed.jump ? SampleOutcome::snapped : SampleOutcome::solved;
+    read(place, followed.harness, followed.equilibrium, sample);
+  } else {
+    sample.outcome = followed.equilibrium.status == EquilibriumStatus::impossible
+                         ? SampleOutcome::impossible
+                         : SampleOutcome::not_converged;
+  }
+}
+
+void PoseWorker::read(const SamplePlace& place, const Harness& harness, const Equilibrium& equilibrium,
+                      PoseSample& sample) {
+  const ComponentPoses components = pose_->space_->components(place);
+  const std::vector<MeasureValue> values = pose_->evaluator_.evaluate(
+      {harness, equilibrium, components}, pose_->measures_, &pose_->linear_.values);
+  sample.discretisation_error = equilibrium.discretisation_error;
+  sample.values.clear();
+  for (const MeasureValue& value : values) sample.values.push_back(value.value);
+  sample.points.resize(harness.cables.size());
+  const auto sections = static_cast<Eigen::Index>(pose_->shares_.size());
+  for (std::size_t cable = 0; cable < harness.cables.size(); ++cable) {
+    sample.points[cable].resize(3, sections);
+    for (Eigen::Index k = 0; k < sections; ++k) {
+      sample.points[cable].col(k) = equilibrium.shapes[cable].position(
+          pose_->shares_[static_cast<std::size_t>(k)] * harness.cables[cable].length);
+    }
+  }
+}
+
+}  // namespace cable_variation

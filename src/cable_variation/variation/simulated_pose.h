@@ -1,0 +1,99 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <cable_variation/harness/batch_solver.h>
+#include <cable_variation/variation/measure_evaluation.h>
+#include <cable_variation/variation/shape_follower.h>
+#include <cable_variation/variation/simulation_statistics.h>
+#include <cable_variation/variation/stability_analysis.h>
+
+namespace cable_variation {
+
+/// The design at one time of a simulation, ready for samples around it. const: may be shared by threads.
+class SimulatedPose {
+ public:
+  /// @param space of scene, variables, motions; must outlive the pose, as must `scene`
+  /// @param measures indices @param solver a shape to start from
+  /// Throws std::runtime_error: no equilibrium; std::invalid_argument: analyseStability().
+  SimulatedPose(const SampleSpace& space, const VariedDesign& design,
+                const std::vector<std::size_t>& measures, const MeasureEvaluator& evaluator,
+                std::size_t sections, const EquilibriumSolver& solver, double time);
+  SimulatedPose(const SimulatedPose&) = delete;
+  SimulatedPose& operator=(const SimulatedPose&) = delete;
+
+  double time() const { return time_; }
+  const Harness& harness() const { return harness_; }
+  const EquilibriumSolver& solver() const { return solver_; }  ///< follows the design's shape here
+  const StabilityAnalysis& linear() const { return linear_; }
+  /// What the linear model predicts of the measures; not a number where it cannot: a similarity has a kink.
+  void predict(const double* deviations, double* values) const;
+  /// Its exact mean and standard deviation, per measure.
+  std::vector<std::optional<LinearMoments>> linearMoments() const;
+
+  std::size_t sections() const { return shares_.size(); }
+  /// Of the design, at a cable's sections [m].
+  std::vector<double> arcLengths(std::size_t cable) const;
+  /// Along which the sections of a cable vary most, by the linear model: columns, unit vectors.
+  const std::vector<Eigen::Matrix3d>& axes(std::size_t cable) const { return axes_[cable]; }
+
+ private:
+  friend class PoseWorker;
+  void findAxes(const Scene& scene, const std::vector<std::size_t>& variables);
+
+  const SampleSpace* space_;
+  double time_;
+  std::vector<std::size_t> measures_;
+  std::vector<double> shares_;  // of a cable's length
+  Harness harness_;
+  StabilityAnalysis linear_;
+  EquilibriumSolver solver_;
+  MeasureEvaluator evaluator_;
+  std::vector<std::vector<Eigen::Matrix3d>> axes_;  // per cable and section
+  std::vector<MaterialStretch> stretches_;
+  std::vector<std::string> frames_ = {"world"};
+  StretchReader reader_;
+  std::optional<ShapeFollower> follower_;
+  std::optional<BatchSolver> batch_;  // none: it cannot take this harness
+  bool eigenvalue_ = false;           // is among the measures
+};
+
+/// One sample's equilibrium and what was found in it.
+struct PoseSample {
+  SampleOutcome outcome = SampleOutcome::not_converged;
+  bool solved_again = false;             ///< by the robust solver
+  double discretisation_error = 0.0;     ///< [m]
+  std::vector<double> values;            ///< per measure
+  std::vector<Eigen::Matrix3Xd> points;  ///< per cable, of its sections [m, world]
+
+  bool hasValues() const { return outcome == SampleOutcome::solved || outcome == SampleOutcome::snapped; }
+};
+
+/// Solves samples around a pose, some at a time. One per thread.
+class PoseWorker {
+ public:
+  static constexpr std::size_t kSamples = BatchSolver::kBatch;
+
+  /// @param pose must outlive the worker
+  explicit PoseWorker(const SimulatedPose& pose);
+
+  /// @param deviations one column per sample, at most kSamples
+  const std::array<PoseSample, kSamples>& solve(const Eigen::MatrixXd& deviations);
+
+ private:
+  void solveRobustly(const SamplePlace& place, PoseSample& sample);
+  void read(const SamplePlace& place, const Harness& harness, const Equilibrium& equilibrium,
+            PoseSample& sample);
+
+  const SimulatedPose* pose_;
+  std::optional<BatchSolver> batch_;
+  std::vector<Harness> harnesses_;
+  std::array<PoseSample, kSamples> samples_;
+};
+
+}  // namespace cable_variation

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include <cable_variation/variation/measure_evaluation.h>
+#include <cable_variation/variation/sample_space.h>
+#include <cable_variation/variation/sampler.h>
+
+namespace cable_variation {
+
+/// How bad a measure's value is; larger is worse: by how much it is beyond its nearest limit; without limits
+/// a small distance, bend radius or eigenvalue, a position far from `nominal`, a large magnitude of all else.
+double badness(const Measure& measure, double nominal, double value);
+
+/// The times of a motion that decide what the worst over it is.
+struct WorstTimes {
+  std::vector<double> times;  ///< increasing [s]
+  /// Per measure: how much worse one of the trial samples is predicted to get at another time, at most [its
+  /// unit].
+  std::vector<double> missed;
+  std::size_t phases = 0;  ///< that the first-order model was made in
+};
+
+/// Looks at every pose recorded between `from` and `to` [s] with the first-order model of its phase
+/// (cutIntoPhases), for a few hundred trial samples, and keeps the times that are worst for some sample and
+/// some measure: those that matter most first, until none is missed by more than a hundredth of the measure's
+/// spread, or there are `most`.
+/// @param trials draws deviations; all of them are looked at
+/// @param solver the design's shape to follow
+/// Throws std::runtime_error that names the time: the design has no equilibrium.
+WorstTimes findWorstTimes(const SampleSpace& space, const std::vector<std::size_t>& measures,
+                          const MeasureEvaluator& evaluator, const Sampler& trials, double from, double to,
+                          std::size_t most, EquilibriumSolver solver);
+
+}  // namespace cable_variation
