@@ -257,7 +257,7 @@ std::optional<Spot> SpotFinder::toCable(std::size_t cable, std::size_t other) co
     if (spot && (!best || spot->clearance.distance > best->clearance.distance)) best = std::move(spot);
   }
   if (!best) return std::nullopt;
-  best->exact = [this, cable, other, way](const SolvedSample& at) {
+  best->exact = [cable, other, way](const SolvedSample& at) {
     const auto line = [&](std::size_t of) {
       return centrelineOf(at.harness.cables[of], at.equilibrium.shapes[of]);
     };
