@@ -10,6 +10,7 @@
 #include <cable_variation/scene/deviations.h>
 #include <cable_variation/variation/cable_view.h>
 #include <cable_variation/variation/component_variation.h>
+#include <cable_variation/variation/joint_between.h>
 
 namespace cable_variation {
 namespace {
@@ -64,15 +65,9 @@ double furthest(const EnvelopePiece& piece, double at) {
 }
 
 // Where one cable hangs on the other.
-std::optional<JoinedAt> jointBetween(const SolvedSample& at, std::size_t cable, std::size_t other,
-                                     double way) {
-  for (const Joint& joint : at.harness.joints) {
-    if (joint.parent == cable && joint.child == other)
-      return JoinedAt{joint.parent_arc_length, joint.child_arc_length, way};
-    if (joint.parent == other && joint.child == cable)
-      return JoinedAt{joint.child_arc_length, joint.parent_arc_length, way};
-  }
-  return std::nullopt;
+std::optional<JoinedAt> joinedAt(const SolvedSample& at, std::size_t cable, std::size_t other, double way) {
+  const auto joint = jointBetween(at.harness, cable, other);
+  return joint ? std::optional<JoinedAt>(joint->at(way)) : std::nullopt;
 }
 
 std::optional<Spot> closestPieces(const EnvelopeFrame& frame, std::size_t cable, std::size_t other,
@@ -249,7 +244,7 @@ std::optional<Spot> SpotFinder::toComponent(std::size_t cable, std::size_t compo
 
 std::optional<Spot> SpotFinder::toCable(std::size_t cable, std::size_t other) const {
   const double way = skippedNearJoints(cable, other);
-  const auto joined = jointBetween(*start_, cable, other, way);
+  const auto joined = joinedAt(*start_, cable, other, way);
   // Seen from any frame the distance bounds what can happen: the largest says most.
   std::optional<Spot> best;
   for (const EnvelopeFrame& frame : envelope_.frames) {
@@ -261,7 +256,7 @@ std::optional<Spot> SpotFinder::toCable(std::size_t cable, std::size_t other) co
     const auto line = [&](std::size_t of) {
       return centrelineOf(at.harness.cables[of], at.equilibrium.shapes[of]);
     };
-    return cable_variation::distance(line(cable), line(other), jointBetween(at, cable, other, way));
+    return cable_variation::distance(line(cable), line(other), joinedAt(at, cable, other, way));
   };
   return best;
 }

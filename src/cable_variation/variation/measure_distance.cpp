@@ -6,6 +6,8 @@
 
 #include <Eigen/Geometry>
 
+#include <cable_variation/variation/joint_between.h>
+
 namespace cable_variation {
 namespace {
 
@@ -32,25 +34,6 @@ void visitSkippedClips(const MeasureContext& context, const Measure& measure, st
     if (context.at.harness.clips[i].cable == cable && context.scene.clip_mounts[i].component == component)
       visit(i, context.at.equilibrium.clip_reactions[i].arc_length);
   }
-}
-
-// The first joint between two cables, and whether the first of them is its parent.
-struct JointBetween {
-  std::size_t joint;
-  bool parent_first;
-  JoinedAt at;
-};
-std::optional<JointBetween> jointBetween(const MeasureContext& context, const Measure& measure,
-                                         std::size_t first, std::size_t second) {
-  const auto& joints = context.at.harness.joints;
-  for (std::size_t i = 0; i < joints.size(); ++i) {
-    const double parent = joints[i].parent_arc_length, child = joints[i].child_arc_length;
-    if (joints[i].parent == first && joints[i].child == second)
-      return JointBetween{i, true, {parent, child, measure.skip_near_joints}};
-    if (joints[i].parent == second && joints[i].child == first)
-      return JointBetween{i, false, {child, parent, measure.skip_near_joints}};
-  }
-  return std::nullopt;
 }
 
 double valueIn(const std::vector<std::pair<std::size_t, double>>& list, std::size_t index) {
@@ -144,9 +127,10 @@ MeasureValue cableDistanceValue(const MeasureContext& context, const Measure& me
   for (const std::size_t cable : measure.cables) {
     for (const std::size_t other : measure.other_cables) {
       if (cable == other) continue;
-      const auto joint = jointBetween(context, measure, cable, other);
-      const auto pair = distance(context.cables[cable].line(), context.cables[other].line(),
-                                 joint ? std::optional<JoinedAt>(joint->at) : std::nullopt, kEqual);
+      const auto joint = jointBetween(context.at.harness, cable, other);
+      const auto pair = distance(
+          context.cables[cable].line(), context.cables[other].line(),
+          joint ? std::optional<JoinedAt>(joint->at(measure.skip_near_joints)) : std::nullopt, kEqual);
       if (!pair || (closest && pair->distance >= closest->value + kEqual)) continue;
       shared = closest && pair->distance > closest->value - kEqual;
       if (closest && pair->distance >= closest->value) continue;
@@ -173,11 +157,11 @@ double cableDistanceRate(const MeasureContext& context, const Measure& measure, 
   const PlaceRate other = other_view.rate(trace.other_place, other_cable);
   double rate = trace.direction.dot(at.position - other.position) - at.radius - other.radius;
 
-  const auto joint = jointBetween(context, measure, value.cable, trace.other_cable);
+  const auto joint = jointBetween(context.at.harness, value.cable, trace.other_cable);
   if (!joint) return rate;
-  const double to_joint = value.arc_length - joint->at.on_cable;
-  const double from_joint = other_view.arcLength(trace.other_place) - joint->at.on_other;
-  if (std::abs(to_joint) + std::abs(from_joint) > joint->at.shortest_way + kOnALimit) return rate;
+  const double to_joint = value.arc_length - joint->on_first;
+  const double from_joint = other_view.arcLength(trace.other_place) - joint->on_second;
+  if (std::abs(to_joint) + std::abs(from_joint) > measure.skip_near_joints + kOnALimit) return rate;
   // The shortest way that counts: the places keep it. Each stays as far from the joint as it is, unless it
   // is at an end of its cable; then it stays there and the other makes up for it.
   const double parent = valueIn(rates.design.harness.parent_arc_lengths, joint->joint);
