@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include <cable_variation/geometry/hull_facets.h>
+#include <cable_variation/geometry/mesh_volume.h>
 
 namespace cable_variation {
 namespace {
@@ -183,14 +184,6 @@ ConvexHull::Closest ConvexHull::closest(const Eigen::Vector3d& point) const {
   return closest;
 }
 
-double ConvexHull::volume() const {
-  const Eigen::Vector3d& origin = surface_.vertices.front();
-  double sum = 0.0;
-  for (const auto& [a, b, c] : surface_.triangles) {
-    sum += (surface_.vertices[a] - origin)
-               .dot((surface_.vertices[b] - origin).cross(surface_.vertices[c] - origin));
-  }
-  return sum / 6.0;
-}
+double ConvexHull::volume() const { return volumeWithin(surface_); }
 
 }  // namespace cable_variation
