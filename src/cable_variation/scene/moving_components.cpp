@@ -48,4 +48,8 @@ ComponentPoses posesDuring(const Scene& scene, const std::vector<const Motion*>&
   return poses;
 }
 
+Pose poseIn(const ComponentPoses& poses, const std::string& component) {
+  return component == "world" ? Pose() : poses.at(component);
+}
+
 }  // namespace cable_variation

@@ -15,4 +15,7 @@ std::set<std::string> movingComponents(const Scene& scene);
 /// clamped to its recording. Throws std::invalid_argument if one is not loaded.
 ComponentPoses posesDuring(const Scene& scene, const std::vector<const Motion*>& motions, double time);
 
+/// Of a component among `poses`, of "world" none. Throws std::out_of_range for one that is not there.
+Pose poseIn(const ComponentPoses& poses, const std::string& component);
+
 }  // namespace cable_variation

@@ -8,6 +8,7 @@
 
 #include <cable_variation/geometry/body_distance.h>
 #include <cable_variation/scene/deviations.h>
+#include <cable_variation/scene/moving_components.h>
 #include <cable_variation/variation/cable_view.h>
 #include <cable_variation/variation/component_variation.h>
 #include <cable_variation/variation/joint_between.h>
@@ -106,10 +107,6 @@ std::optional<Spot> closestPieces(const EnvelopeFrame& frame, std::size_t cable,
 }
 
 }  // namespace
-
-Pose framePose(const SolvedSample& at, const std::string& frame) {
-  return frame == "world" ? Pose() : at.components.at(frame);
-}
 
 SpotFinder::SpotFinder(const Scene& scene, const Envelope& envelope, const EnvelopeOptions& options,
                        const ComponentParts& parts, SampleShapes& shapes,
@@ -220,9 +217,7 @@ std::optional<Spot> SpotFinder::toComponent(std::size_t cable, std::size_t compo
   }
   const DistancePart& part = *parts_.find(component);
   const Pose& of_component = start_->components.at(name);
-  const Pose pose = frame->component == "world"
-                        ? of_component
-                        : framePose(*start_, frame->component).inverse() * of_component;
+  const Pose pose = poseIn(start_->components, frame->component).inverse() * of_component;
   const auto pair = cable_variation::distance(bodies, part, pose);
   if (!pair) return std::nullopt;
   Spot spot;

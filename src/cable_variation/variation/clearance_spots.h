@@ -45,7 +45,4 @@ class SpotFinder {
   std::shared_ptr<const SolvedSample> start_;  // the design at the start
 };
 
-/// Pose of a frame of the envelope in the world, in a sample.
-Pose framePose(const SolvedSample& at, const std::string& frame);
-
 }  // namespace cable_variation

@@ -8,6 +8,7 @@
 
 #include <cable_variation/geometry/nearest_place.h>
 #include <cable_variation/math/thread_limit.h>
+#include <cable_variation/scene/moving_components.h>
 #include <cable_variation/variation/cable_view.h>
 #include <cable_variation/variation/clearance_samples.h>
 #include <cable_variation/variation/clearance_spots.h>
@@ -49,7 +50,7 @@ void complete(ClearanceSpot& spot, SampleShapes& shapes) {
   EnvelopeClearance& clearance = spot.clearance;
   const EnvelopeSample& nearest = shapes.envelope().samples[spot.samples.front()];
   const auto solved = shapes.sample(spot.samples.front());
-  const Pose frame = framePose(*solved, spot.frame);
+  const Pose frame = poseIn(solved->components, spot.frame);
   clearance.on_envelope = frame * clearance.on_envelope;
   clearance.on_other = frame * clearance.on_other;
   clearance.time = nearest.time;

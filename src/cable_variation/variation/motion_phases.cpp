@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <cable_variation/scene/moving_components.h>
+
 namespace cable_variation {
 namespace {
 
@@ -14,7 +16,7 @@ std::vector<Pose> clipsAt(const SampleSpace& space, const std::vector<std::strin
   std::vector<Pose> clips;
   clips.reserve(frames.size() * harness.clips.size());
   for (const std::string& frame : frames) {
-    const Pose to_frame = frame == "world" ? Pose() : components.at(frame).inverse();
+    const Pose to_frame = poseIn(components, frame).inverse();
     for (const Clip& clip : harness.clips) clips.push_back(to_frame * clip.pose);
   }
   return clips;
