@@ -29,6 +29,17 @@ std::vector<Eigen::Vector3d> firstDirections() {
   return directions;
 }
 
+// Half the range of each coordinate: of the variables, then of the poses, one a row.
+Eigen::VectorXd halfRanges(const ToleranceSpace& tolerances, const Eigen::MatrixXd& poses) {
+  Eigen::VectorXd ranges(tolerances.size() + poses.cols());
+  ranges.head(tolerances.size()) = 0.5 * (tolerances.upper() - tolerances.lower());
+  for (Eigen::Index i = 0; i < poses.cols(); ++i) {
+    constexpr double kStill = 1e-9;
+    ranges[tolerances.size() + i] = std::max(kStill, poses.col(i).cwiseAbs().maxCoeff());
+  }
+  return ranges;
+}
+
 }  // namespace
 
 PhaseSearch::PhaseSearch(ShapeFollower follower, std::vector<double> times, double tolerance)
@@ -41,6 +52,7 @@ PhaseSearch::PhaseSearch(ShapeFollower follower, std::vector<double> times, doub
     poses_.row(static_cast<Eigen::Index>(i)) =
         follower_.coordinates(space.designAt(times_[i])).tail(others).transpose();
   }
+  widths_ = halfRanges(space.tolerances(), poses_);
   branches_.emplace_back();
   radius_.assign(follower_.reader().stretches().size(), 0.0);
   reach_ = largestReach(follower_.reference());
@@ -75,21 +87,9 @@ void PhaseSearch::insert(const StretchShape& shape, std::size_t branch) {
   trust_.push_back(largestReach(shape) <= kAboutToSnap * reach_ ? 1.0 : 0.0);
 }
 
-// Half the range of each coordinate.
-Eigen::VectorXd PhaseSearch::widths() const {
-  const ToleranceSpace& tolerances = follower_.reader().space().tolerances();
-  Eigen::VectorXd widths(tolerances.size() + poses_.cols());
-  widths.head(tolerances.size()) = 0.5 * (tolerances.upper() - tolerances.lower());
-  for (Eigen::Index i = tolerances.size(); i < widths.size(); ++i) {
-    constexpr double kStill = 1e-9;
-    widths[i] = std::max(kStill, poses_.col(i - tolerances.size()).cwiseAbs().maxCoeff());
-  }
-  return widths;
-}
-
 // The furthest that all coordinates together (root sum of squares) move an end, by the derivatives [m].
 double PhaseSearch::largestReach(const StretchShape& shape) const {
-  const Eigen::VectorXf squares = widths().array().square().cast<float>();
+  const Eigen::VectorXf squares = widths_.array().square().cast<float>();
   const Eigen::Matrix4Xf& rates = shape.rates[0];
   double largest = 0.0;
   for (Eigen::Index first = 0; first < rates.cols(); first += squares.size()) {
@@ -285,16 +285,16 @@ void PhaseSearch::learn(const Candidate& candidate, const FollowedShape& found) 
     const Eigen::VectorXd change =
         follower_.coordinates(found.shape.place) - sample_coordinates_[candidate.sample];
     const Eigen::Matrix3Xd expected = from.predicted(change);
-    const double error = (found.shape.ends[0] - expected).colwise().squaredNorm().maxCoeff();
-    const double motion = (expected - from.ends[0]).colwise().squaredNorm().maxCoeff();
-    astray = error > kAstray * kAstray * motion + tolerance_ * tolerance_;
+    const double error = largestDistance(found.shape.ends[0], expected).distance;
+    const double motion = largestDistance(expected, from.ends[0]).distance;
+    astray = error > std::hypot(kAstray * motion, tolerance_);
   }
   if (astray) trust_[candidate.sample] *= 0.5;
 }
 
 std::size_t PhaseSearch::branchOf(const FollowedShape::Jump& jump) {
   for (std::size_t branch = 1; branch < branches_.size(); ++branch) {
-    const double apart = (branches_[branch].first_ends - jump.after.ends[0]).colwise().norm().maxCoeff();
+    const double apart = largestDistance(branches_[branch].first_ends, jump.after.ends[0]).distance;
     if (apart < 0.5 * branches_[branch].jump) return branch;
   }
   branches_.emplace_back();
@@ -327,7 +327,7 @@ void PhaseSearch::fitCurvature() {
   fitted_ = samples_.size();
   std::vector<bool> believed;
   for (const double trust : trust_) believed.push_back(trust > 0.5);
-  curvature_.fit(samples_, sample_coordinates_, believed, widths());
+  curvature_.fit(samples_, sample_coordinates_, believed, widths_);
 }
 
 void PhaseSearch::run(std::size_t largest_solves, const std::function<void()>& check) {

@@ -71,7 +71,6 @@ class PhaseSearch {
                     const Eigen::Vector3d& outward, Scratch& scratch, std::vector<Push>& pushes) const;
   void climb(const Eigen::VectorXd& here, Scratch& scratch) const;
   void fitCurvature();
-  Eigen::VectorXd widths() const;
   double largestReach(const StretchShape& shape) const;
   std::vector<Candidate> choose(const std::vector<Push>& pushes);
   void solve(const std::vector<Candidate>& candidates, const std::function<void()>& check);
@@ -84,7 +83,8 @@ class PhaseSearch {
   ShapeFollower follower_;
   std::vector<double> times_;
   double tolerance_;
-  Eigen::MatrixXd poses_;  // per time, coordinates of the motions relative to the reference
+  Eigen::MatrixXd poses_;   // per time, coordinates of the motions relative to the reference
+  Eigen::VectorXd widths_;  // per coordinate, half its range
   std::vector<StretchShape> samples_;
   std::vector<Eigen::VectorXd> sample_coordinates_;
   std::vector<std::size_t> sample_branch_;

@@ -7,18 +7,6 @@
 namespace cable_variation {
 namespace {
 
-// How far the ends are from where they were expected, and which is furthest.
-struct Largest {
-  double distance = 0.0;
-  Eigen::Index end = 0;
-};
-Largest largestDistance(const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b) {
-  Largest largest;
-  const double squared = (a - b).colwise().squaredNorm().maxCoeff(&largest.end);
-  largest.distance = std::sqrt(squared);
-  return largest;
-}
-
 // Further from the first-order prediction than this is looked at step by step: a share of the motion
 // expected, and of the cable's length. Curved paths of clips that turn by some 10 degrees stay below.
 constexpr double kOddShare = 0.5, kOddOfLength = 0.01;
@@ -97,7 +85,7 @@ FollowedShape ShapeFollower::followInSteps(const SamplePlace& place, bool with_r
     }
     const Eigen::Matrix3Xd expected =
         here.predicted(coordinates(placeAt(next)) - coordinates(placeAt(reached)));
-    const Largest odd = largestDistance(expected, there.ends[0]);
+    const LargestDistance odd = largestDistance(expected, there.ends[0]);
     const double motion = largestDistance(expected, here.ends[0]).distance;
     if (odd.distance > kStepShare * motion + kStepOfLength * length_) {
       if (step > kSmallestStep) {
@@ -105,7 +93,7 @@ FollowedShape ShapeFollower::followInSteps(const SamplePlace& place, bool with_r
         continue;
       }
       if (odd.distance > kOddOfLength * length_) {
-        followed.jump = {here, there, static_cast<std::size_t>(odd.end / 2), odd.distance};
+        followed.jump = {here, there, static_cast<std::size_t>(odd.column / 2), odd.distance};
       }
     } else {
       step = std::min(2.0 * step, kFirstStep);

@@ -1,10 +1,12 @@
 #include <cable_variation/variation/stretch_shape.h>
 
+#include <cmath>
 #include <stdexcept>
 
 #include <Eigen/Geometry>
 
 #include <cable_variation/scene/deviations.h>
+#include <cable_variation/scene/moving_components.h>
 
 namespace cable_variation {
 namespace {
@@ -23,11 +25,13 @@ FrameRate rateOf(const DesignRate& rate, std::size_t component) {
   return {};
 }
 
-Pose frameOf(const std::string& frame, const ComponentPoses& components) {
-  return frame == "world" ? Pose() : components.at(frame);
-}
-
 }  // namespace
+
+LargestDistance largestDistance(const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b) {
+  LargestDistance largest;
+  largest.distance = std::sqrt((a - b).colwise().squaredNorm().maxCoeff(&largest.column));
+  return largest;
+}
 
 std::vector<Eigen::Vector3d> StretchShape::centreline(std::size_t frame, std::size_t stretch) const {
   const std::vector<Eigen::Vector3d>& points = control[frame][stretch];
@@ -87,7 +91,7 @@ StretchShape StretchReader::read(const SamplePlace& place, const Equilibrium& eq
       shape.ends.push_back(ends);
       continue;
     }
-    const Pose to_frame = frameOf(frame, components).inverse();
+    const Pose to_frame = poseIn(components, frame).inverse();
     shape.control.push_back(control);
     for (auto& points : shape.control.back()) {
       for (Eigen::Vector3d& point : points) point = to_frame * point;

@@ -10,6 +10,13 @@
 
 namespace cable_variation {
 
+/// The largest distance between columns of the same number [m], and that number.
+struct LargestDistance {
+  double distance = 0.0;
+  Eigen::Index column = 0;
+};
+LargestDistance largestDistance(const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b);
+
 /// What an envelope needs of one solved sample: its stretches as seen from each frame.
 struct StretchShape {
   SamplePlace place;
