@@ -9,12 +9,13 @@
 #include <sstream>
 #include <stdexcept>
 
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
-#include <cable_variation/geometry/voxel_set.h>
 #include <cable_variation/math/thread_limit.h>
+#include <cable_variation/variation/envelope_assembly.h>
+#include <cable_variation/variation/envelope_tightness.h>
 #include <cable_variation/variation/envelope_verification.h>
+#include <cable_variation/variation/envelope_warning.h>
 #include <cable_variation/variation/motion_phases.h>
 #include <cable_variation/variation/phase_search.h>
 
@@ -39,8 +40,6 @@ constexpr double kLongestStretch = 2.0, kStride = 0.5;
 constexpr double kLever = 0.25;
 // Tell the random numbers of both kinds of shapes apart, and from those of a PointSet.
 constexpr std::uint32_t kContainmentStream = 3, kTightnessStream = 4;
-// Voxels are as large as this share of the thinnest cable's radius.
-constexpr double kVoxel = 1.0 / 6.0;
 
 void requirePositive(const char* name, double value, const char* unit) {
   if (value > 0.0 && std::isfinite(value)) return;
@@ -91,11 +90,11 @@ class Generator {
   Envelope run() {
     const auto start = Clock::now();
     prepare();
-    search(options_.largest_solves);
+    search();
     envelope_.solve_time = secondsSince(start);
     verify();
     assemble();
-    measureVolume();
+    measureTightness();
     envelope_.verify_time = secondsSince(start) - envelope_.solve_time;
     return std::move(envelope_);
   }
@@ -142,7 +141,7 @@ class Generator {
   }
 
   // The design's shape is followed from phase to phase, and each phase looked through by itself.
-  void search(std::size_t largest_solves) {
+  void search() {
     searches_.reserve(phases_.size());
     EquilibriumSolver following = solver_;
     const StretchReader& reader = reader_;
@@ -162,22 +161,22 @@ class Generator {
     }
     std::vector<std::size_t> all(searches_.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
-    run(all, largest_solves);
+    run(all);
   }
 
   void noticeJump(const ShapeFollower& before, const ShapeFollower& after) {
     const SamplePlace place = space_.designAt(after.referenceTime());
     const FollowedShape followed = before.follow(place, false);
     if (followed.converged && !followed.jump) return;
-    warn("the design itself does not follow the motion smoothly between ", before.referenceTime(), " and ",
-         after.referenceTime(), " s: it snaps or is lost on the way");
+    warn(envelope_, "the design itself does not follow the motion smoothly between ", before.referenceTime(),
+         " and ", after.referenceTime(), " s: it snaps or is lost on the way");
   }
 
-  void run(const std::vector<std::size_t>& which, std::size_t largest_solves) {
+  void run(const std::vector<std::size_t>& which) {
     std::atomic<std::size_t> done{0}, solved{0};
     tbb::parallel_for(std::size_t{0}, which.size(), [&](std::size_t i) {
       PhaseSearch& search = searches_[which[i]];
-      search.run(largest_solves, [&] {
+      search.run(options_.largest_solves, [&] {
         report_({"shapes", 0.1 + 0.5 * static_cast<double>(done) / static_cast<double>(which.size()),
                  solved + search.solves(), search.follower().referenceTime()});
       });
@@ -197,7 +196,7 @@ class Generator {
       envelope_.containment = summary(shapes);
       if (envelope_.containment.largest_protrusion <= kTakenIn * options_.margin) return;
       if (round == kRounds) {
-        warn("random shapes still stick out by ", 1e3 * envelope_.containment.largest_protrusion,
+        warn(envelope_, "random shapes still stick out by ", 1e3 * envelope_.containment.largest_protrusion,
              " mm after ", round, " rounds of taking them in");
         return;
       }
@@ -252,7 +251,6 @@ class Generator {
   }
 
   void takeIn(const std::vector<RandomShape>& shapes) {
-    std::vector<std::vector<FollowedShape>> taken(searches_.size());
     std::vector<const RandomShape*> outside;
     for (const RandomShape& shape : shapes) {
       if (shape.converged && shape.protrusion > kTakenIn * options_.margin) outside.push_back(&shape);
@@ -268,145 +266,30 @@ class Generator {
     }
     std::sort(changed.begin(), changed.end());
     changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
-    run(changed, options_.largest_solves);
+    run(changed);
   }
 
   void assemble() {
     envelope_.cables = options_.cables;
     envelope_.variables = options_.variables;
     envelope_.inflation = inflationFor(envelope_.containment);
-    envelope_.frames.resize(frames_.size());
-    for (std::size_t frame = 0; frame < frames_.size(); ++frame)
-      envelope_.frames[frame].component = frames_[frame];
-    std::vector<const PhaseSearch::Branch*> known{nullptr};
-    for (std::size_t phase = 0; phase < searches_.size(); ++phase) assemble(phase, known);
-    envelope_.branches = known.size();
-    std::size_t exhausted = 0;
-    for (const PhaseSearch& search : searches_) exhausted += search.exhausted() ? 1 : 0;
-    if (exhausted > 0) {
-      warn(exhausted, " of ", searches_.size(), " phases ended at the largest number of solves, ",
-           options_.largest_solves, ": their hulls may still grow");
-    }
-    if (envelope_.failures > 0) {
-      const auto first = std::find_if(searches_.begin(), searches_.end(),
-                                      [](const PhaseSearch& search) { return search.failures() > 0; });
-      warn(envelope_.failures,
-           " harnesses within the tolerances have no equilibrium that the design's leads to, ",
-           "and are not in the envelope; the first: ", first->failure());
-    }
+    assembleEnvelope(searches_, options_.largest_solves, envelope_);
   }
 
-  void assemble(std::size_t phase, std::vector<const PhaseSearch::Branch*>& known) {
-    const PhaseSearch& search = searches_[phase];
-    envelope_.phases.push_back({search.times().front(), search.times().back(), search.times().size()});
-    envelope_.solves += search.solves();
-    envelope_.failures += search.failures();
-    envelope_.discretisation_error = std::max(envelope_.discretisation_error, search.discretisationError());
-    std::vector<std::size_t> global{0};
-    for (std::size_t b = 1; b < search.branches().size(); ++b) {
-      global.push_back(globalBranch(search.branches()[b], known));
-    }
-    const std::size_t first_sample = envelope_.samples.size();
-    for (std::size_t i = 0; i < search.samples().size(); ++i) {
-      const SamplePlace& place = search.samples()[i].place;
-      envelope_.samples.push_back({place.deviations, place.time, phase, global[search.sampleBranches()[i]]});
-    }
-    for (Snap snap : search.snaps()) {
-      snap.branch = global[snap.branch];
-      envelope_.snaps.push_back(std::move(snap));
-    }
-    for (std::size_t b = 0; b < search.branches().size(); ++b) {
-      const PhaseSearch::Branch& branch = search.branches()[b];
-      for (std::size_t frame = 0; frame < frames_.size(); ++frame) {
-        for (std::size_t i = 0; i < stretches_.size(); ++i) {
-          const GrowingHull& hull = branch.hulls[frame][i];
-          EnvelopePiece piece{stretches_[i].cable,
-                              stretches_[i].start,
-                              stretches_[i].end,
-                              phase,
-                              global[b],
-                              {hull.hull(), search.radius()[i] + envelope_.inflation},
-                              {}};
-          for (const GrowingHull::Tag& tag : hull.tags())
-            piece.vertex_sample.push_back(first_sample + tag.sample);
-          envelope_.frames[frame].pieces.push_back(std::move(piece));
-        }
-      }
-    }
-  }
-
-  // The envelope's volume, and that of shapes drawn apart from those for containment.
-  void measureVolume() {
-    Tightness& tightness = envelope_.tightness;
-    const std::vector<EnvelopePiece>& pieces = envelope_.frames.front().pieces;
-    Box box = boxOf(pieces);
-    double thinnest = std::numeric_limits<double>::infinity();
-    for (const EnvelopePiece& piece : pieces) thinnest = std::min(thinnest, piece.body.radius);
-    tightness.voxel = options_.voxel > 0.0 ? options_.voxel : kVoxel * thinnest;
-    const VoxelSet none(box, tightness.voxel);
-    tbb::enumerable_thread_specific<VoxelSet> sets(none);
-    tbb::parallel_for(std::size_t{0}, pieces.size(),
-                      [&](std::size_t i) { sets.local().addBody(pieces[i].body); });
-    tightness.envelope_volume = volumeOf(sets, none);
-    if (options_.tightness == 0) return;
-    const ContainmentCheck check(searches_);
+  // With shapes drawn apart from those for containment.
+  void measureTightness() {
     const CounterRandom random(options_.seed, kTightnessStream);
-    tbb::enumerable_thread_specific<VoxelSet> shapes(none);
-    std::atomic<std::size_t> done{0}, drawn{0};
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, options_.tightness, 16), [&](const auto& range) {
-      VoxelSet& own = shapes.local();
-      for (std::size_t i = range.begin(); i != range.end(); ++i) {
-        const SamplePlace place = drawPlace(space_, options_.from, end_, random, i);
-        const PhaseSearch& phase = searches_[check.phaseOf(place.time)];
-        const FollowedShape followed = phase.follower().follow(place, false);
-        if (!followed.converged) continue;
-        for (std::size_t k = 0; k < stretches_.size(); ++k) {
-          own.addTube(followed.shape.centreline(0, k), followed.shape.radius[k]);
-        }
-        ++drawn;
-      }
-      done += range.size();
-      report_({"tightness", 0.9 + 0.1 * static_cast<double>(done) / static_cast<double>(options_.tightness),
-               done, 0.0});
-    });
-    tightness.shapes = drawn;
-    tightness.shapes_volume = volumeOf(shapes, none);
-  }
-
-  static Box boxOf(const std::vector<EnvelopePiece>& pieces) {
-    Box box;
-    for (const EnvelopePiece& piece : pieces) {
-      for (const Eigen::Vector3d& vertex : piece.body.core.surface().vertices) {
-        box.add(vertex - Eigen::Vector3d::Constant(piece.body.radius));
-        box.add(vertex + Eigen::Vector3d::Constant(piece.body.radius));
-      }
-    }
-    return box;
-  }
-
-  static double volumeOf(const tbb::enumerable_thread_specific<VoxelSet>& sets, const VoxelSet& none) {
-    VoxelSet all = none;
-    for (const VoxelSet& set : sets) all.unite(set);
-    return all.volume();
-  }
-
-  // Branches of different phases are the same if they begin close together.
-  static std::size_t globalBranch(const PhaseSearch::Branch& branch,
-                                  std::vector<const PhaseSearch::Branch*>& known) {
-    for (std::size_t i = 1; i < known.size(); ++i) {
-      const double apart = (known[i]->first_ends - branch.first_ends).colwise().norm().maxCoeff();
-      if (apart < 0.5 * std::min(known[i]->jump, branch.jump)) return i;
-    }
-    known.push_back(&branch);
-    return known.size() - 1;
-  }
-
-  template <class... Parts>
-  void warn(const Parts&... parts) {
-    std::ostringstream text;
-    text.precision(3);
-    (text << ... << parts);
-    envelope_.warnings.push_back(text.str());
+    const auto draw = [&](std::size_t index) -> std::optional<StretchShape> {
+      const SamplePlace place = drawPlace(space_, options_.from, end_, random, index);
+      FollowedShape followed = searches_[phaseAt(searches_, place.time)].follower().follow(place, false);
+      if (!followed.converged) return std::nullopt;
+      return std::move(followed.shape);
+    };
+    envelope_.tightness = tightnessOf(
+        envelope_.frames.front().pieces, options_.voxel, options_.tightness, draw, [&](std::size_t done) {
+          const double share = static_cast<double>(done) / static_cast<double>(options_.tightness);
+          report_({"tightness", 0.9 + 0.1 * share, done, 0.0});
+        });
   }
 
   EnvelopeOptions options_;

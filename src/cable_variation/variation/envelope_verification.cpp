@@ -15,6 +15,12 @@ SamplePlace drawPlace(const SampleSpace& space, double from, double to, const Co
   return place;
 }
 
+std::size_t phaseAt(const std::vector<PhaseSearch>& phases, double time) {
+  const auto after = std::find_if(phases.begin(), phases.end(),
+                                  [&](const PhaseSearch& phase) { return time <= phase.times().back(); });
+  return after == phases.end() ? phases.size() - 1 : static_cast<std::size_t>(after - phases.begin());
+}
+
 ContainmentCheck::ContainmentCheck(const std::vector<PhaseSearch>& phases) : phases_(&phases) {
   pieces_.resize(phases.front().follower().reader().frames().size());
   for (const PhaseSearch& phase : phases) {
@@ -33,12 +39,6 @@ ContainmentCheck::ContainmentCheck(const std::vector<PhaseSearch>& phases) : pha
       }
     }
   }
-}
-
-std::size_t ContainmentCheck::phaseOf(double time) const {
-  const auto after = std::find_if(phases_->begin(), phases_->end(),
-                                  [&](const PhaseSearch& phase) { return time <= phase.times().back(); });
-  return after == phases_->end() ? phases_->size() - 1 : static_cast<std::size_t>(after - phases_->begin());
 }
 
 // The distance of the sphere's surface from the union of all pieces, no more than `most`.
@@ -73,7 +73,7 @@ double ContainmentCheck::ownProtrusion(const PhaseSearch& phase, std::size_t fra
 RandomShape ContainmentCheck::look(const SamplePlace& place) const {
   RandomShape random;
   random.place = place;
-  random.phase = phaseOf(place.time);
+  random.phase = phaseAt(*phases_, place.time);
   const PhaseSearch& phase = (*phases_)[random.phase];
   const FollowedShape followed = phase.follower().follow(place, false);
   random.converged = followed.converged;

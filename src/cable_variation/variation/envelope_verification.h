@@ -22,13 +22,15 @@ struct RandomShape {
 SamplePlace drawPlace(const SampleSpace& space, double from, double to, const CounterRandom& random,
                       std::uint64_t index);
 
+/// Index of the phase that a time of the motions [s] belongs to.
+std::size_t phaseAt(const std::vector<PhaseSearch>& phases, double time);
+
 /// Tells how far shapes stick out of the pieces that the searches have found.
 class ContainmentCheck {
  public:
   /// The searches must outlive it, unchanged.
   explicit ContainmentCheck(const std::vector<PhaseSearch>& phases);
 
-  std::size_t phaseOf(double time) const;
   RandomShape look(const SamplePlace& place) const;
 
  private:

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include <cable_variation/variation/envelope.h>
+#include <cable_variation/variation/phase_search.h>
+
+namespace cable_variation {
+
+/// Puts what the searches of all phases have found into the envelope: phases, samples, snaps, the pieces of
+/// every frame, inflated as the envelope says, counts and warnings.
+/// @param largest_solves that each search was allowed
+void assembleEnvelope(const std::vector<PhaseSearch>& searches, std::size_t largest_solves,
+                      Envelope& envelope);
+
+}  // namespace cable_variation
