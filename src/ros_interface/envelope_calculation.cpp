@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include <cable_variation/geometry/mesh_volume.h>
 #include <cable_variation/geometry/outer_surface.h>
 #include <cable_variation/scene/moving_components.h>
 #include <cable_variation/variation/envelope_clearance.h>
@@ -89,14 +90,6 @@ std::vector<CableSurface> surfacesByCable(const Envelope& envelope, const OuterS
     surfaces.push_back({cable, surfaceOf(envelope.frames.front().pieces, cable, options).mesh});
   }
   return surfaces;
-}
-
-double volumeWithin(const cable_variation::TriangleMesh& mesh) {
-  double sixfold = 0.0;
-  for (const auto& [a, b, c] : mesh.triangles) {
-    sixfold += mesh.vertices[a].dot(mesh.vertices[b].cross(mesh.vertices[c]));
-  }
-  return sixfold / 6.0;
 }
 
 InterferenceView interferenceOf(const EnvelopeTask& task, const Scene& scene,
