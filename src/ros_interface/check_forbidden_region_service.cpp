@@ -19,6 +19,7 @@
 
 namespace cable_variation_ros {
 
+using cable_variation::ComponentParts;
 using cable_variation::ForbiddenRegion;
 using cable_variation::Pose;
 using cable_variation::RegionClearance;
@@ -28,8 +29,6 @@ using cable_variation::Status;
 using cable_variation::TriangleMesh;
 
 namespace {
-
-constexpr double kWorthShowing = 0.02;  // [m]; as clearances of envelopes
 
 void requireFile(const std::string& path, const std::string& what) {
   std::error_code ignored;
@@ -70,6 +69,7 @@ Pose poseOf(geometry_msgs::Pose pose) {
 }
 
 /// One part's answer and what is to be seen of it.
+/// @param mesh the part's; may be left out where nothing collides
 void add(const ForbiddenRegion& region, const RegionClearance& found, const std::string& part,
          const TriangleMesh& mesh, const Pose& pose, cable_variation::CheckForbiddenRegionResponse& response,
          InterferenceView& view) {
@@ -102,12 +102,18 @@ void add(const ForbiddenRegion& region, const RegionClearance& found, const std:
   view.triangles.insert(view.triangles.end(), triangles.begin(), triangles.end());
 }
 
-/// Components to check: those asked for, or all that have triangles.
-std::vector<std::size_t> componentsOf(const std::vector<std::string>& names, const Scene& scene) {
-  if (!names.empty()) return indicesOf(names, scene.components, "component");
+/// Makes ready the components to check, those asked for or all that have triangles, and tells which they are.
+std::vector<std::size_t> prepare(const std::vector<std::string>& names, const Scene& scene,
+                                 const ComponentParts& known, ComponentParts& parts) {
+  if (!names.empty()) {
+    const std::vector<std::size_t> asked = indicesOf(names, scene.components, "component");
+    for (const std::size_t index : asked) parts.prepare(scene, index, known);
+    return asked;
+  }
+  parts.prepareAll(scene, known);
   std::vector<std::size_t> all;
   for (std::size_t i = 0; i < scene.components.size(); ++i) {
-    if (!mergedMesh(scene.components[i]).triangles.empty()) all.push_back(i);
+    if (parts.find(i) != nullptr) all.push_back(i);
   }
   return all;
 }
@@ -153,13 +159,13 @@ CheckForbiddenRegionService::Response CheckForbiddenRegionService::check(const R
     const SolverContext::Snapshot snapshot = context_.snapshot();
     const cable_variation::ComponentPoses poses =
         componentPosesAt(scene, context_.design().shifted, context_.moved());
-    cable_variation::ComponentParts parts;
-    for (const std::size_t index : componentsOf(request.components, scene)) {
-      parts.prepare(scene, index, snapshot.parts);
+    ComponentParts parts;
+    for (const std::size_t index : prepare(request.components, scene, snapshot.parts, parts)) {
       const cable_variation::Component& component = scene.components[index];
       const Pose& pose = poses.at(component.name);
-      add(region, checkRegion(region, *parts.find(index), pose), component.name, mergedMesh(component), pose,
-          response, view);
+      const RegionClearance found = checkRegion(region, *parts.find(index), pose);
+      const TriangleMesh mesh = found.colliding.empty() ? TriangleMesh() : mergedMesh(component);
+      add(region, found, component.name, mesh, pose, response, view);
     }
   }
   std::set<std::string> cables;

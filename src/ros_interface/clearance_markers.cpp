@@ -21,8 +21,7 @@ using visualization_msgs::Marker;
 
 namespace {
 
-constexpr double kWorthShowing = 0.02;  // [m]
-constexpr double kLift = 3e-4;          // [m]; beyond what RViz's depth buffer tells apart at a metre
+constexpr double kLift = 3e-4;  // [m]; beyond what RViz's depth buffer tells apart at a metre
 
 /// Bodies of two cables hold shapes that do not occur together; only what was solved does.
 bool interferes(const Scene& scene, const EnvelopeClearance& clearance) {

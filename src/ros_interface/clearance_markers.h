@@ -9,10 +9,13 @@
 
 namespace cable_variation_ros {
 
+/// What is this close is worth showing, interfering or not [m].
+constexpr double kWorthShowing = 0.02;
+
 /// The closest pairs of an envelope worth showing, namespace interference/clearance/CABLE/OTHER: those that
 /// interfere, that is overlap or come closer than the lower limit of the scene's distance measures (two
 /// cables: in a shape that was solved); and of each component and each pair of cables the closest one, if
-/// that is within 20 mm.
+/// that is within kWorthShowing.
 /// @param moving whether texts tell times
 std::vector<DistanceMark> clearanceMarks(const cable_variation::Scene& scene,
                                          const std::vector<cable_variation::EnvelopeClearance>& clearances,
