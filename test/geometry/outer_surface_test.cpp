@@ -9,17 +9,10 @@
 #include <gtest/gtest.h>
 
 #include "geometry/closed_surface.h"
+#include "geometry/test_points.h"
 
 namespace cable_variation {
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
-using Points = std::vector<Eigen::Vector3d>;
-
-Eigen::Vector3d randomPoint(std::mt19937_64& random) {
-  std::uniform_real_distribution<double> coordinate(-1.0, 1.0);
-  return {coordinate(random), coordinate(random), coordinate(random)};
-}
 
 std::vector<const RoundedHull*> pointers(const std::vector<RoundedHull>& bodies) {
   std::vector<const RoundedHull*> all;
