@@ -12,7 +12,8 @@
 #include <fcl/narrowphase/distance.h>
 
 #include <cable_variation/geometry/distance.h>
-#include <cable_variation/geometry/tube.h>
+
+#include "ring.h"
 
 namespace cable_variation::bench {
 namespace {
@@ -39,22 +40,10 @@ Centreline bentCable(double height, double curvature = kCurvature) {
   return cable;
 }
 
-// A ring of 50,000 triangles about z: 200 mm, its tube 60 mm; the outermost point along y is at 260 mm.
-TriangleMesh ring() {
-  constexpr int kAround = 250, kSides = 100;
-  std::vector<Pose> path(kAround);
-  for (int i = 0; i < kAround; ++i) {
-    Pose& pose = path[static_cast<std::size_t>(i)];
-    pose.orientation = Eigen::AngleAxisd(2.0 * M_PI * i / kAround, Eigen::Vector3d::UnitZ());
-    pose.position = pose.orientation * Eigen::Vector3d(0.0, -0.2, 0.0);
-  }
-  return tubeMesh(path, 0.06, kSides, true);
-}
-
-constexpr double kOutermost = 0.26;  // [m]
+TriangleMesh ringOf50000() { return ring(250, 100); }
 
 const DistancePart& part() {
-  static const DistancePart prepared{ring()};
+  static const DistancePart prepared{ringOf50000()};
   return prepared;
 }
 
@@ -117,7 +106,7 @@ std::shared_ptr<Model> chords(const Centreline& cable) {
 
 void toPartByFcl(benchmark::State& state) {
   const Centreline cable = bentCable(heightAt(state));
-  const TriangleMesh mesh = ring();
+  const TriangleMesh mesh = ringOf50000();
   std::vector<fcl::Triangle> triangles;
   for (const auto& [a, b, c] : mesh.triangles) triangles.emplace_back(a, b, c);
   const fcl::CollisionObjectd against(model(mesh.vertices, triangles));
@@ -175,7 +164,7 @@ void toParallelCable(benchmark::State& state) {
 }
 
 void preparePart(benchmark::State& state) {
-  const TriangleMesh mesh = ring();
+  const TriangleMesh mesh = ringOf50000();
   for (auto _ : state) {
     DistancePart prepared(mesh);
     benchmark::DoNotOptimize(&prepared.impl());

@@ -9,25 +9,16 @@
 #include <vector>
 
 #include <cable_variation/geometry/body_distance.h>
-#include <cable_variation/geometry/tube.h>
+
+#include "ring.h"
 
 namespace cable_variation::bench {
 namespace {
 
 constexpr double kRadius = 0.004, kStretch = 0.008;  // [m]
 
-// A ring about z: 200 mm, its tube 60 mm; the outermost point along y is at 260 mm.
 const DistancePart& part() {
-  static const DistancePart prepared{[] {
-    constexpr int kAround = 443, kSides = 150;
-    std::vector<Pose> path(kAround);
-    for (int i = 0; i < kAround; ++i) {
-      Pose& pose = path[static_cast<std::size_t>(i)];
-      pose.orientation = Eigen::AngleAxisd(2.0 * M_PI * i / kAround, Eigen::Vector3d::UnitZ());
-      pose.position = pose.orientation * Eigen::Vector3d(0.0, -0.2, 0.0);
-    }
-    return tubeMesh(path, 0.06, kSides, true);
-  }()};
+  static const DistancePart prepared{ring(443, 150)};
   return prepared;
 }
 
@@ -60,8 +51,9 @@ std::vector<const RoundedHull*> pointers(const std::vector<RoundedHull>& bodies)
 
 // Arguments: phases, height over the ring's outermost point [mm].
 void toPart(benchmark::State& state) {
-  const std::vector<RoundedHull> bodies = envelope(60, static_cast<std::size_t>(state.range(0)),
-                                                   0.26 + 1e-3 * static_cast<double>(state.range(1)), 0.02);
+  const std::vector<RoundedHull> bodies =
+      envelope(60, static_cast<std::size_t>(state.range(0)),
+               kOutermost + 1e-3 * static_cast<double>(state.range(1)), 0.02);
   const std::vector<const RoundedHull*> all = pointers(bodies);
   const DistancePart& against = part();
   std::optional<BodyPair> pair;
@@ -74,8 +66,9 @@ void toPart(benchmark::State& state) {
 
 // The same, with the triangles that enter.
 void enteringPart(benchmark::State& state) {
-  const std::vector<RoundedHull> bodies = envelope(60, static_cast<std::size_t>(state.range(0)),
-                                                   0.26 + 1e-3 * static_cast<double>(state.range(1)), 0.02);
+  const std::vector<RoundedHull> bodies =
+      envelope(60, static_cast<std::size_t>(state.range(0)),
+               kOutermost + 1e-3 * static_cast<double>(state.range(1)), 0.02);
   const std::vector<const RoundedHull*> all = pointers(bodies);
   const DistancePart& against = part();
   std::size_t entering = 0;
