@@ -1,7 +1,6 @@
 #include <ros_interface/analyze_stability_service.h>
 
 #include <algorithm>
-#include <ctime>
 
 #include <ros/node_handle.h>
 
@@ -18,6 +17,7 @@
 #include <ros_interface/shown_variable.h>
 #include <ros_interface/solver_context.h>
 #include <ros_interface/stability_conversion.h>
+#include <ros_interface/utc_time.h>
 #include <ros_interface/variation_publisher.h>
 
 namespace cable_variation_ros {
@@ -54,16 +54,6 @@ std::vector<ComponentVariation> variationsOf(const Scene& scene, const Stability
   return variations;
 }
 
-/// "2024-03-01 12:34:56 UTC"
-std::string utcNow() {
-  const std::time_t now = std::time(nullptr);
-  std::tm parts{};
-  gmtime_r(&now, &parts);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%d %H:%M:%S UTC", &parts);
-  return text;
-}
-
 }  // namespace
 
 AnalyzeStabilityService::AnalyzeStabilityService(ros::NodeHandle& node, const SolverContext& context,
@@ -81,18 +71,18 @@ bool AnalyzeStabilityService::handle(Request& request, Response& response) {
   return true;
 }
 
-void AnalyzeStabilityService::contextChanged() {
+void AnalyzeStabilityService::follow(const std::string& variable) {
   const std::vector<DesignVariable>& variables = context_.design().scene.design_variables;
   const auto found = std::find_if(variables.begin(), variables.end(),
-                                  [&](const DesignVariable& each) { return each.name == followed_; });
+                                  [&](const DesignVariable& each) { return each.name == variable; });
   if (found == variables.end() || !context_.equilibrium().converged()) {
-    publisher_.clear();
+    publisher_.hide();
     return;
   }
   const auto index = static_cast<std::size_t>(found - variables.begin());
   const SensitivityView view =
       sensitivityView(*found, context_.harness(), context_.equilibrium(), context_.shapeRate(index));
-  publisher_.show(view.markers, view.legend);
+  publisher_.show(view.markers, view.legend, [this, variable] { follow(variable); });
 }
 
 AnalyzeStabilityService::Response AnalyzeStabilityService::analyse(const Request& request) {
@@ -123,19 +113,19 @@ AnalyzeStabilityService::Response AnalyzeStabilityService::analyse(const Request
                                     {stabilitySection(scene, analysis, options.values)}));
   }
 
-  followed_.clear();
   if (request.show_components) {
     const ComponentVariationView view = componentVariationMarkers(
         scene, components, poses, componentDeviations(scene, options.values, options.moved));
-    publisher_.show(view.markers, view.legend);
+    publisher_.show(view.markers, view.legend, nullptr);
   } else if (column) {
     const DesignVariable& variable = scene.design_variables[analysis.variables[*column]];
     const cable_variation::Harness harness = harnessAt(scene, options.values, options.moved);
     const SensitivityView view =
         sensitivityView(variable, harness, analysis.nominal, analysis.rates[*column]);
-    publisher_.show(view.markers, view.legend);
+    std::function<void()> renew;
+    if (request.nominal_variables.empty()) renew = [this, name = variable.name] { follow(name); };
+    publisher_.show(view.markers, view.legend, renew);
     response.shown = variable.name;
-    if (request.nominal_variables.empty()) followed_ = variable.name;
   } else {
     publisher_.clear();
   }

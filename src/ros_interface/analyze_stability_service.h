@@ -23,19 +23,17 @@ class AnalyzeStabilityService {
   AnalyzeStabilityService(ros::NodeHandle& node, const SolverContext& context, VariationPublisher& publisher,
                           const OutputDirectory& output);
 
-  /// The view goes with the shape in force, or goes away if it shows anything else.
-  void contextChanged();
-
  private:
   using Request = cable_variation::AnalyzeStabilityRequest;
   using Response = cable_variation::AnalyzeStabilityResponse;
   bool handle(Request& request, Response& response);
   Response analyse(const Request& request);
+  /// Shows the effect of a design variable on the shape in force, while there is one.
+  void follow(const std::string& variable);
 
   const SolverContext& context_;
   VariationPublisher& publisher_;
   OutputDirectory output_;
-  std::string followed_;  ///< design variable whose effect on the shape in force is shown; empty: none is
   ros::ServiceServer server_;
 };
 

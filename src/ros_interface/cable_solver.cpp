@@ -3,6 +3,7 @@
 #include <ros/callback_queue.h>
 #include <ros/console.h>
 
+#include <ros_interface/names.h>
 #include <ros_interface/scene_loading.h>
 
 namespace cable_variation_ros {
@@ -24,8 +25,20 @@ CableSolver::CableSolver(ros::NodeHandle node, const CableSolverParameters& para
       check_forbidden_region_(node_, context_, interference_, OutputDirectory(parameters.output_directory)),
       envelope_runner_(context_, envelope_, spinning_, OutputDirectory(parameters.output_directory),
                        parameters.threads),
-      generate_envelope_(node_, envelope_runner_),
-      generate_envelope_action_(node_, envelope_runner_) {
+      generate_envelope_(node_, kGenerateEnvelopeService,
+                         [this](const cable_variation::GenerateEnvelopeRequest& request) {
+                           return envelope_runner_.run(request, [](const RunProgress&) { return ros::ok(); });
+                         }),
+      generate_envelope_action_(node_, envelope_runner_),
+      simulation_runner_(context_, variation_, spinning_, OutputDirectory(parameters.output_directory),
+                         parameters.threads),
+      simulate_variation_(node_, kSimulateVariationService,
+                          [this](const cable_variation::SimulateVariationRequest& request) {
+                            return simulation_runner_.run(
+                                request, [](const cable_variation::SimulationProgress&,
+                                            const std::vector<std::string>&) { return ros::ok(); });
+                          }),
+      simulate_variation_action_(node_, simulation_runner_) {
   context_.onChange([this] { show(); });
   show();
   if (parameters.live) {
@@ -41,7 +54,7 @@ void CableSolver::show() {
     ROS_ERROR_THROTTLE(5.0, "%s: %s", toString(equilibrium.status), equilibrium.message.c_str());
   }
   publisher_.publish(context_);
-  analyze_stability_.contextChanged();
+  variation_.contextChanged();
   envelope_.contextChanged(context_);
   check_forbidden_region_.contextChanged();
   diagnostics_.contextChanged();

@@ -10,11 +10,13 @@
 #include <ros_interface/envelope_publisher.h>
 #include <ros_interface/envelope_runner.h>
 #include <ros_interface/generate_envelope_action.h>
-#include <ros_interface/generate_envelope_service.h>
 #include <ros_interface/get_scene_service.h>
 #include <ros_interface/interference_publisher.h>
 #include <ros_interface/load_scene_service.h>
 #include <ros_interface/node_parameters.h>
+#include <ros_interface/own_thread_service.h>
+#include <ros_interface/simulate_variation_action.h>
+#include <ros_interface/simulation_runner.h>
 #include <ros_interface/solve_equilibrium_service.h>
 #include <ros_interface/solver_context.h>
 #include <ros_interface/solver_diagnostics.h>
@@ -25,7 +27,8 @@
 
 namespace cable_variation_ros {
 
-/// The node cable_solver: equilibria, stability and envelopes on request, and the design in force to be seen.
+/// The node cable_solver: equilibria, stability, envelopes and production on request, and the design in force
+/// to be seen.
 class CableSolver {
  public:
   /// Throws what loadScene() throws. A scene whose harness has no equilibrium is
@@ -51,8 +54,11 @@ class CableSolver {
   DesignService design_;
   CheckForbiddenRegionService check_forbidden_region_;
   EnvelopeRunner envelope_runner_;
-  GenerateEnvelopeService generate_envelope_;
+  OwnThreadService<cable_variation::GenerateEnvelope> generate_envelope_;
   GenerateEnvelopeServer generate_envelope_action_;
+  SimulationRunner simulation_runner_;
+  OwnThreadService<cable_variation::SimulateVariation> simulate_variation_;
+  SimulateVariationServer simulate_variation_action_;
   std::unique_ptr<TfFollower> follower_;
 };
 

@@ -5,7 +5,6 @@
 
 #include <cable_variation/geometry/mesh_volume.h>
 #include <cable_variation/geometry/outer_surface.h>
-#include <cable_variation/scene/moving_components.h>
 #include <cable_variation/variation/envelope_clearance.h>
 #include <ros_interface/clearance_markers.h>
 #include <ros_interface/component_deviations.h>
@@ -45,18 +44,6 @@ class Stopwatch {
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
-
-/// A solver with the shape of the design asked for.
-EquilibriumSolver solverFor(const EnvelopeTask& task, const SolverContext::Snapshot& snapshot) {
-  EquilibriumSolver solver = snapshot.solver;
-  if (!task.other_design) return solver;
-  const cable_variation::Harness harness =
-      harnessAt(snapshot.design.scene, task.options.values, task.options.moved);
-  cable_variation::Equilibrium equilibrium = solver.update(harness);
-  if (!equilibrium.converged()) equilibrium = solver.solve(harness);
-  requireConverged(equilibrium);
-  return solver;
-}
 
 Envelope generate(const EnvelopeTask& task, const Scene& scene, const EquilibriumSolver& solver,
                   RunControl& control) {
@@ -108,32 +95,12 @@ InterferenceView interferenceOf(const EnvelopeTask& task, const Scene& scene,
   return view;
 }
 
-/// Components whose poses the motions give.
-std::vector<std::string> carriedBy(const std::vector<std::size_t>& motions, const Scene& scene) {
-  std::vector<const cable_variation::Motion*> played;
-  played.reserve(motions.size());
-  for (const std::size_t index : motions) played.push_back(&scene.motions[index]);
-  std::vector<std::string> carried;
-  for (const auto& [name, pose] : posesDuring(scene, played, 0.0)) carried.push_back(name);
-  return carried;
-}
-
-/// Components that motions do not move are taken to be where the scene has them.
-void warnOfMoved(const EnvelopeView& view, bool over_motion, std::vector<std::string>& warnings) {
-  if (!over_motion) return;
-  for (const auto& [name, pose] : view.moved) {
-    warnings.push_back("component '" + name +
-                       "' is not where the scene has it now, but is taken to be there: over a motion only "
-                       "what the motions move leaves its place");
-  }
-}
-
 }  // namespace
 
 EnvelopeOutcome calculateEnvelope(const EnvelopeTask& task, const SolverContext::Snapshot& snapshot,
                                   const OutputDirectory& output, RunControl& control) {
   const Scene& scene = snapshot.design.scene;
-  const EquilibriumSolver solver = solverFor(task, snapshot);
+  const EquilibriumSolver solver = solverAt(snapshot, task.options, task.other_design);
   const Envelope envelope = generate(task, scene, solver, control);
   const std::size_t solves = envelope.solves;
 
@@ -179,10 +146,10 @@ EnvelopeOutcome calculateEnvelope(const EnvelopeTask& task, const SolverContext:
   view.mesh.excess = response.surface_excess;
   view.mesh.mesh = response.mesh;
   view.interference = interferenceOf(task, scene, found);
-  view.design_number = snapshot.design_number;
-  if (!task.options.motions.empty()) view.carried = carriedBy(task.options.motions, scene);
-  view.moved = without(view.carried, snapshot.moved);
-  warnOfMoved(view, !task.options.motions.empty(), response.warnings);
+  view.origin = viewOrigin(snapshot, task.options.motions);
+  for (const std::string& warning : warningsOfMoved(view.origin, task.options.motions)) {
+    response.warnings.push_back(warning);
+  }
 
   if (task.name.empty()) {
     control.complete();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <ros_interface/matrix_conversion.h>
 #include <ros_interface/message_conversion.h>
 
 namespace cable_variation_ros {
@@ -14,8 +15,6 @@ using cable_variation::Measure;
 using cable_variation::Scene;
 
 namespace {
-
-std::vector<double> listed(const Eigen::VectorXd& vector) { return {vector.begin(), vector.end()}; }
 
 bool contains(const std::vector<std::size_t>& all, std::size_t each) {
   return std::find(all.begin(), all.end(), each) != all.end();

@@ -4,9 +4,9 @@
 
 #include <cable_variation/EnvelopeMesh.h>
 
-#include <cable_variation/scene/scene.h>
 #include <ros_interface/interference_publisher.h>
 #include <ros_interface/marker_channel.h>
+#include <ros_interface/view_origin.h>
 
 namespace ros {
 class NodeHandle;
@@ -14,22 +14,13 @@ class NodeHandle;
 
 namespace cable_variation_ros {
 
-class SolverContext;
-
 /// An envelope to be seen, and what it belongs to.
 struct EnvelopeView {
   visualization_msgs::MarkerArray markers;
   cable_variation::EnvelopeMesh mesh;
   InterferenceView interference;
-
-  std::size_t design_number = 0;          ///< SolverContext::designNumber()
-  cable_variation::ComponentPoses moved;  ///< where components were, without those in `carried`
-  std::vector<std::string> carried;  ///< components that may move: the envelope holds for all their poses
+  ViewOrigin origin;
 };
-
-/// `moved` without the components in `carried`.
-cable_variation::ComponentPoses without(const std::vector<std::string>& carried,
-                                        cable_variation::ComponentPoses moved);
 
 /// ~envelope, ~envelope_mesh and an envelope's part of ~interference. An envelope is shown only with the
 /// design and the places of components that it belongs to.
@@ -43,13 +34,12 @@ class EnvelopePublisher {
   void contextChanged(const SolverContext& context);
 
  private:
-  bool fits(const EnvelopeView& view, const SolverContext& context) const;
   void publishNone();
 
   MarkerChannel markers_;
   ros::Publisher mesh_;
   InterferencePublisher& interference_;
-  EnvelopeView shown_;  ///< without what was published
+  ViewOrigin shown_;
   bool showing_ = false;
 };
 

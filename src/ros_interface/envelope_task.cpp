@@ -2,32 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
-#include <set>
-#include <sstream>
 
 #include <cable_variation/variation/envelope_clearance.h>
 #include <ros_interface/design_values.h>
 #include <ros_interface/name_lookup.h>
 #include <ros_interface/output_directory.h>
+#include <ros_interface/request_fields.h>
 
 namespace cable_variation_ros {
 
 using cable_variation::EnvelopeOptions;
 using cable_variation::GenerateEnvelopeRequest;
-using cable_variation::Motion;
 using cable_variation::Scene;
 
 namespace {
 
 constexpr std::uint32_t kMostShapes = 10000000;  // some hours
 constexpr double kLargestLength = 1.0;           // [m]; of what is meant to be small
-
-[[noreturn]] void refuse(const char* field, double value, const std::string& expected) {
-  std::ostringstream text;
-  text << field << ": is " << value << ", expected " << expected;
-  throw std::invalid_argument(text.str());
-}
 
 double lengthOr(double fallback, double value, const char* field) {
   if (!(value >= 0.0 && value <= kLargestLength))
@@ -41,63 +32,15 @@ std::size_t shapesOr(std::size_t fallback, std::uint32_t value, const char* fiel
 }
 
 std::vector<std::size_t> variablesOf(const GenerateEnvelopeRequest& request, const Scene& scene) {
-  if (request.motion_only) {
-    if (!request.variables.empty()) {
-      throw std::invalid_argument("variables: some are given, expected none with motion_only");
-    }
-    if (request.motions.empty())
-      throw std::invalid_argument("motions: is empty, expected one with motion_only");
-    return {};
+  if (!request.motion_only) {
+    return variedVariables(request.variables, scene, " (or motion_only with a motion)");
   }
-  if (request.variables.empty()) {
-    throw std::invalid_argument(
-        "variables: is empty, expected names of design variables, or ['*'] for all of the scene (or "
-        "motion_only "
-        "with a motion)");
+  if (!request.variables.empty()) {
+    throw std::invalid_argument("variables: some are given, expected none with motion_only");
   }
-  if (request.variables != std::vector<std::string>{"*"}) {
-    return indicesOf(request.variables, scene.design_variables, "design variable");
-  }
-  if (scene.design_variables.empty()) {
-    throw std::invalid_argument("variables: ['*'], but the scene has no design variables");
-  }
-  std::vector<std::size_t> all(scene.design_variables.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  return all;
-}
-
-std::vector<std::size_t> motionsOf(const GenerateEnvelopeRequest& request, const Scene& scene) {
-  std::vector<std::size_t> motions = indicesOf(request.motions, scene.motions, "motion");
-  std::set<std::string> moved;
-  for (const std::size_t index : motions) {
-    const Motion& motion = scene.motions[index];
-    if (motion.samples.empty()) throw std::invalid_argument("motion '" + motion.name + "': has no poses");
-    if (!moved.insert(motion.component).second) {
-      throw std::invalid_argument("motions: two of them move component '" + motion.component +
-                                  "', expected one");
-    }
-  }
-  return motions;
-}
-
-void readTimes(const GenerateEnvelopeRequest& request, const Scene& scene, EnvelopeOptions& options) {
-  if (options.motions.empty()) {
-    if (request.from_time != 0.0) refuse("from_time", request.from_time, "0 without motions");
-    if (request.to_time != 0.0) refuse("to_time", request.to_time, "0 without motions");
-    return;
-  }
-  double end = 0.0;
-  for (const std::size_t index : options.motions) end = std::max(end, scene.motions[index].duration());
-  std::ostringstream bounds;
-  bounds << " to " << end << " s, the end of the motions";
-  if (!(request.from_time >= 0.0 && request.from_time <= end)) {
-    refuse("from_time", request.from_time, "0" + bounds.str());
-  }
-  options.from = request.from_time;
-  options.to = request.to_time == 0.0 ? end : request.to_time;
-  if (!(options.to >= options.from && options.to <= end)) {
-    refuse("to_time", request.to_time, "from_time" + bounds.str());
-  }
+  if (request.motions.empty())
+    throw std::invalid_argument("motions: is empty, expected one with motion_only");
+  return {};
 }
 
 }  // namespace
@@ -109,9 +52,14 @@ EnvelopeTask toEnvelopeTask(const GenerateEnvelopeRequest& request, const cable_
   EnvelopeTask task;
   EnvelopeOptions& options = task.options;
   options.cables = indicesOf(request.cables, scene.harness.cables, "cable");
-  options.motions = motionsOf(request, scene);
+  options.motions = playedMotions(request.motions, scene);
   options.variables = variablesOf(request, scene);
-  readTimes(request, scene, options);
+  if (request.to_time < 0.0) refuse("to_time", request.to_time, "0 or more");
+  const TimeSpan span = timesOf(options.motions, request.from_time, request.to_time, scene);
+  if (!options.motions.empty()) {
+    options.from = span.from;
+    options.to = span.to;
+  }
   options.values = toDesignValues(scene, request.nominal_variables, request.nominal_values);
   task.other_design = !options.values.empty();
   options.values.insert(design.shifted.begin(), design.shifted.end());

@@ -1,10 +1,10 @@
 #include <ros_interface/generate_envelope_action.h>
 
-#include <actionlib/server/simple_action_server.h>
 #include <ros/node_handle.h>
 
 #include <cable_variation/GenerateEnvelope.h>
 
+#include <ros_interface/action_end.h>
 #include <ros_interface/envelope_runner.h>
 #include <ros_interface/names.h>
 #include <ros_interface/same_fields.h>
@@ -14,9 +14,7 @@ namespace cable_variation_ros {
 using cable_variation::GenerateEnvelopeFeedback;
 using cable_variation::GenerateEnvelopeGoal;
 using cable_variation::GenerateEnvelopeRequest;
-using cable_variation::GenerateEnvelopeResponse;
 using cable_variation::GenerateEnvelopeResult;
-using cable_variation::Status;
 
 namespace {
 
@@ -58,16 +56,8 @@ void GenerateEnvelopeServer::execute(const GenerateEnvelopeGoal& goal) {
     }
     return ros::ok() && !server_->isPreemptRequested();
   };
-  const GenerateEnvelopeResponse response = runner_.run(sameFields<GenerateEnvelopeRequest>(goal), watch);
-  const auto result = sameFields<GenerateEnvelopeResult>(response);
-  const std::string& message = result.status.message;
-  if (result.status.code == Status::SUCCESS) {
-    server_->setSucceeded(result);
-  } else if (result.status.code == Status::CANCELLED) {
-    server_->setPreempted(result, message);
-  } else {
-    server_->setAborted(result, message);
-  }
+  endGoal(*server_,
+          sameFields<GenerateEnvelopeResult>(runner_.run(sameFields<GenerateEnvelopeRequest>(goal), watch)));
 }
 
 }  // namespace cable_variation_ros

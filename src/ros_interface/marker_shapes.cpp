@@ -17,7 +17,7 @@ Marker& MarkerGroup::add(int type, const Pose& pose, const Eigen::Vector3d& scal
   Marker marker;
   marker.header.frame_id = frame_;
   marker.ns = namespace_;
-  marker.id = static_cast<int>(markers_.size());
+  marker.id = next_id_++;
   marker.type = type;
   marker.action = Marker::ADD;
   marker.pose = toPose(pose);
@@ -64,6 +64,16 @@ void MarkerGroup::addMesh(const Pose& pose, const cable_variation::TriangleMesh&
 void MarkerGroup::addMeshResource(const Pose& pose, const std::string& address,
                                   const Eigen::Vector3d& scale) {
   add(Marker::MESH_RESOURCE, pose, scale).mesh_resource = address;
+}
+
+void MarkerGroup::addLines(const std::vector<Eigen::Vector3d>& ends, double width) {
+  if (ends.empty()) {
+    ++next_id_;
+    return;
+  }
+  Marker& marker = add(Marker::LINE_LIST, Pose(), {width, 0.0, 0.0});
+  marker.points.reserve(ends.size());
+  for (const Eigen::Vector3d& end : ends) marker.points.push_back(toPoint(end));
 }
 
 void MarkerGroup::addText(const Eigen::Vector3d& centre, const std::string& text, double height) {

@@ -27,6 +27,8 @@ class MarkerGroup {
   void addMesh(const cable_variation::Pose& pose, const cable_variation::TriangleMesh& mesh);
   void addMeshResource(const cable_variation::Pose& pose, const std::string& address,
                        const Eigen::Vector3d& scale);
+  /// Straight lines from each even point to the next one; none: the id is left out.
+  void addLines(const std::vector<Eigen::Vector3d>& ends, double width);                ///< [m]
   void addText(const Eigen::Vector3d& centre, const std::string& text, double height);  ///< [m]
 
   const std::vector<visualization_msgs::Marker>& markers() const { return markers_; }
@@ -40,6 +42,7 @@ class MarkerGroup {
   std::string namespace_;
   std::string frame_;
   Eigen::Vector4d color_;  ///< r g b a
+  int next_id_ = 0;
   std::vector<visualization_msgs::Marker> markers_;
 };
 

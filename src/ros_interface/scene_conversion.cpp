@@ -174,6 +174,17 @@ DesignVariableInfo toInfo(const DesignVariable& variable, const Scene& scene) {
   return info;
 }
 
+std::vector<DesignVariableInfo> toInfos(const Scene& scene, const std::vector<std::size_t>& variables,
+                                        const cable_variation::DesignValues& values) {
+  std::vector<DesignVariableInfo> infos;
+  for (const std::size_t index : variables) {
+    infos.push_back(toInfo(scene.design_variables[index], scene));
+    const auto given = values.find(infos.back().name);
+    if (given != values.end()) infos.back().nominal = given->second;
+  }
+  return infos;
+}
+
 GetSceneResponse toResponse(const Design& design, const ComponentPoses& moved) {
   GetSceneResponse response;
   const Scene& scene = design.scene;

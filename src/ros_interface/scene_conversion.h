@@ -15,4 +15,9 @@ cable_variation::GetSceneResponse toResponse(const cable_variation::Design& desi
 cable_variation::DesignVariableInfo toInfo(const cable_variation::DesignVariable& variable,
                                            const cable_variation::Scene& scene);
 
+/// Of some variables, indices, `nominal` as in `values` where they are there.
+std::vector<cable_variation::DesignVariableInfo> toInfos(const cable_variation::Scene& scene,
+                                                         const std::vector<std::size_t>& variables,
+                                                         const cable_variation::DesignValues& values);
+
 }  // namespace cable_variation_ros

@@ -93,6 +93,12 @@ SolverContext::Snapshot SolverContext::snapshot() const {
           design_number_};
 }
 
+MeasureEvaluator SolverContext::evaluator(const Snapshot& snapshot) const {
+  const ComponentPoses components = componentPosesAt(design_.scene, design_.shifted, moved_);
+  const SolvedScene any{harness_, equilibrium_, components};
+  return preparedEvaluator(any).with(snapshot.design.scene, any);
+}
+
 SolverContext::Trial SolverContext::solve(const DesignValues& values, const ComponentPoses& moved,
                                           bool follow) const {
   Trial trial;
@@ -159,6 +165,17 @@ cable_variation::EquilibriumRate SolverContext::shapeRate(std::size_t variable) 
   EquilibriumSolver solver = solver_;
   const auto design = designRates(design_.scene, design_.shifted, moved_, {variable});
   return solver.differentiate({design.front().harness}).front();
+}
+
+EquilibriumSolver solverAt(const SolverContext::Snapshot& snapshot,
+                           const cable_variation::VariedDesign& design, bool other) {
+  EquilibriumSolver solver = snapshot.solver;
+  if (!other) return solver;
+  const Harness harness = harnessAt(snapshot.design.scene, design.values, design.moved);
+  Equilibrium equilibrium = solver.update(harness);
+  if (!equilibrium.converged()) equilibrium = solver.solve(harness);
+  requireConverged(equilibrium);
+  return solver;
 }
 
 }  // namespace cable_variation_ros

@@ -7,6 +7,7 @@
 #include <cable_variation/harness/equilibrium.h>
 #include <cable_variation/scene/design.h>
 #include <cable_variation/variation/stability_analysis.h>
+#include <cable_variation/variation/varied_design.h>
 
 namespace cable_variation_ros {
 
@@ -33,6 +34,9 @@ class SolverContext {
     std::size_t design_number = 0;
   };
   Snapshot snapshot() const;
+  /// For work on another thread with a snapshot of this context, which must outlive it. Its nominal shape is
+  /// any.
+  cable_variation::MeasureEvaluator evaluator(const Snapshot& snapshot) const;
 
   /// Called whenever the harness or its shape has changed.
   void onChange(std::function<void()> callback) { changed_ = std::move(callback); }
@@ -97,5 +101,11 @@ class SolverContext {
   mutable std::optional<cable_variation::MeasureEvaluator> evaluator_;
   mutable bool evaluator_in_force_ = false;  ///< its nominal shape is the one in force
 };
+
+/// A snapshot's solver at `design`, from the shape in force where that can be followed. Throws RequestError
+/// if there is no equilibrium.
+/// @param other it is not the design in force
+cable_variation::EquilibriumSolver solverAt(const SolverContext::Snapshot& snapshot,
+                                            const cable_variation::VariedDesign& design, bool other);
 
 }  // namespace cable_variation_ros

@@ -1,5 +1,6 @@
 #include <ros_interface/stability_conversion.h>
 
+#include <ros_interface/matrix_conversion.h>
 #include <ros_interface/measure_conversion.h>
 #include <ros_interface/message_conversion.h>
 #include <ros_interface/scene_conversion.h>
@@ -11,7 +12,6 @@ using cable_variation::ComponentPoses;
 using cable_variation::ComponentVariation;
 using cable_variation::ComponentVariationInfo;
 using cable_variation::DesignValues;
-using cable_variation::DesignVariableInfo;
 using cable_variation::LowHigh;
 using cable_variation::PointVariation;
 using cable_variation::Scene;
@@ -19,17 +19,6 @@ using cable_variation::StabilityAnalysis;
 using cable_variation::Visual;
 
 namespace {
-
-std::vector<double> rowByRow(const Eigen::MatrixXd& matrix) {
-  std::vector<double> values;
-  values.reserve(static_cast<std::size_t>(matrix.size()));
-  for (Eigen::Index i = 0; i < matrix.rows(); ++i) {
-    for (Eigen::Index j = 0; j < matrix.cols(); ++j) values.push_back(matrix(i, j));
-  }
-  return values;
-}
-
-std::vector<double> listed(const Eigen::VectorXd& vector) { return {vector.begin(), vector.end()}; }
 
 ComponentVariationInfo toInfo(const ComponentVariation& variation, const Scene& scene,
                               const ComponentPoses& poses) {
@@ -59,12 +48,7 @@ AnalyzeStabilityResponse toResponse(const Scene& scene, const DesignValues& valu
                                     const std::vector<ComponentVariation>& components,
                                     const ComponentPoses& poses) {
   AnalyzeStabilityResponse response;
-  for (const std::size_t index : analysis.variables) {
-    DesignVariableInfo variable = toInfo(scene.design_variables[index], scene);
-    const auto given = values.find(variable.name);
-    if (given != values.end()) variable.nominal = given->second;
-    response.variables.push_back(variable);
-  }
+  response.variables = toInfos(scene, analysis.variables, values);
   response.variable_sigma = listed(analysis.variable_sigma);
   for (std::size_t i = 0; i < analysis.measures.size(); ++i) {
     response.measures.push_back(toResult(scene.measures[analysis.measures[i]], analysis.values[i], scene));

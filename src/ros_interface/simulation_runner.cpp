@@ -1,0 +1,123 @@
+#include <ros_interface/simulation_runner.h>
+
+#include <optional>
+
+#include <ros_interface/background_run.h>
+#include <ros_interface/request_status.h>
+#include <ros_interface/simulation_calculation.h>
+#include <ros_interface/spinning_thread.h>
+#include <ros_interface/variation_publisher.h>
+
+namespace cable_variation_ros {
+
+using cable_variation::MeasureEvaluator;
+using cable_variation::SimulateVariationRequest;
+using cable_variation::SimulateVariationResponse;
+using cable_variation::SimulationProgress;
+using cable_variation::Status;
+
+namespace {
+
+constexpr std::chrono::milliseconds kLook(20);
+
+/// The design that is simulated, and progress, shared with the run's thread.
+struct Shared {
+  SimulationTask task;
+  SolverContext::Snapshot snapshot;
+  std::optional<MeasureEvaluator> evaluator;
+  SimulationResult result;
+  std::mutex mutex;
+  SimulationProgress progress;
+};
+
+/// Keeps others from writing the files of a name.
+class NameInUse {
+ public:
+  NameInUse(const std::string& name, std::set<std::string>& all, std::mutex& mutex)
+      : name_(name), all_(all), mutex_(mutex) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (!name_.empty() && !all_.insert(name_).second) {
+      throw std::invalid_argument("name: '" + name_ + "' is what another simulation is writing now");
+    }
+  }
+  ~NameInUse() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    all_.erase(name_);
+  }
+  NameInUse(const NameInUse&) = delete;
+  NameInUse& operator=(const NameInUse&) = delete;
+
+ private:
+  const std::string& name_;
+  std::set<std::string>& all_;
+  std::mutex& mutex_;
+};
+
+}  // namespace
+
+SimulationRunner::SimulationRunner(SolverContext& context, VariationPublisher& publisher,
+                                   SpinningThread& spinning, const OutputDirectory& output,
+                                   std::size_t threads)
+    : context_(context), publisher_(publisher), spinning_(spinning), output_(output), threads_(threads) {}
+
+SimulateVariationResponse SimulationRunner::run(const SimulateVariationRequest& request,
+                                                const Watcher& watcher) {
+  SimulateVariationResponse response;
+  const Status status = runRequest([&] { response = complete(request, watcher); });
+  if (status.code != Status::SUCCESS) {
+    response = SimulateVariationResponse();
+    response.status = status;
+  }
+  return response;
+}
+
+SimulateVariationResponse SimulationRunner::complete(const SimulateVariationRequest& request,
+                                                     const Watcher& watcher) {
+  Shared shared;
+  std::vector<std::string> measures;
+  spinning_.run([&] {
+    shared.task = toSimulationTask(request, context_.design(), context_.moved(), threads_);
+    shared.snapshot = context_.snapshot();
+    shared.evaluator.emplace(context_.evaluator(shared.snapshot));
+  });
+  for (const std::size_t index : shared.task.options.measures) {
+    measures.push_back(shared.snapshot.design.scene.measures[index].name);
+  }
+  const NameInUse name(shared.task.name, writing_, mutex_);
+
+  BackgroundRun background([&](RunControl& control) {
+    const auto observe = [&](const SimulationProgress& progress) {
+      const std::lock_guard<std::mutex> lock(shared.mutex);
+      shared.progress = progress;
+      return !control.cancelled();
+    };
+    shared.result = calculateSimulation(shared.task, shared.snapshot, *shared.evaluator, output_, observe);
+  });
+  while (!background.wait(kLook)) {
+    SimulationProgress progress;
+    {
+      const std::lock_guard<std::mutex> lock(shared.mutex);
+      progress = shared.progress;
+    }
+    if (!watcher(progress, measures) || spinning_.stopped()) background.control().cancel();
+  }
+  background.finish();
+
+  SimulationResult& result = shared.result;
+  if (result.view.markers.markers.empty()) return std::move(result.response);
+  bool shown = false;
+  spinning_.run([&] {
+    shown = result.origin.fits(context_);
+    if (!shown) return;
+    publisher_.show(result.view.markers, result.view.legend, [this, origin = result.origin] {
+      if (!origin.fits(context_)) publisher_.clear();
+    });
+  });
+  if (!shown) {
+    result.response.warnings.emplace_back(
+        "not shown: the design or the place of a component has changed meanwhile");
+  }
+  return std::move(result.response);
+}
+
+}  // namespace cable_variation_ros
