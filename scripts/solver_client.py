@@ -24,6 +24,18 @@ def number(value, unit, digits=4, sign=False):
     return ('%+.*g' if sign else '%.*g') % (digits, value / people(unit)[1])
 
 
+def deviations(variables, values):
+    """Deviations from nominal in units that people use, the largest shares of their tolerances first and those
+    that hardly matter left out; empty: none is left."""
+    shares = []
+    for variable, deviation in zip(variables, values):
+        limit = variable.upper if deviation > 0 else -variable.lower
+        if limit > 0 and abs(deviation) > 0.02 * limit:
+            shares.append((abs(deviation) / limit, '%s %s %s' % (
+                variable.name, number(deviation, variable.unit, 3, sign=True), people(variable.unit)[0])))
+    return ', '.join(text for _, text in sorted(shares, key=lambda share: -share[0]))
+
+
 def parse_value(text):
     """A number in SI units, mm or deg, as an SI value."""
     digits = text.rstrip('abcdefghijklmnopqrstuvwxyz ')
