@@ -76,7 +76,7 @@ void toPartAgain(benchmark::State& state) {
   std::size_t i = 0;
   for (auto _ : state) {
     const ClosestPair hint = pair;
-    pair = *distance(cables[++i % 2], against, Pose(), {}, 1e-5, &hint);
+    pair = *distance(cables[++i % 2], against, Pose(), {}, 1e-5, {&hint});
     benchmark::DoNotOptimize(pair);
   }
   report(state, pair);

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cable_variation/geometry/part_vicinity.h>
 #include <cable_variation/geometry/primitives.h>
 #include <cable_variation/geometry/tube.h>
 #include <cable_variation/math/so3.h>
@@ -344,12 +345,52 @@ TEST(Distance, IsTheSameWithAHint) {
   for (int i = 0; i < 200; ++i) {
     const Centreline cable = test::randomCable(chance, 5, 0.04, 0.5, 0.005, false);
     const Pose pose{chance.inBox(0.2), chance.orientation()};
-    const auto cold = distance(cable, part, pose), warm = distance(cable, part, pose, {}, 1e-5, &hint);
+    const auto cold = distance(cable, part, pose), warm = distance(cable, part, pose, {}, 1e-5, {&hint});
     ASSERT_TRUE(cold && warm);
     EXPECT_NEAR(cold->distance, warm->distance, 1e-9) << i;
     EXPECT_EQ(cold->contact, warm->contact) << i;
     hint = *cold;
   }
+}
+
+// A cable about its own shape, a part about its own pose: whatever of the part was thought to be enough, what
+// is found is the same, and a limit hides nothing below it.
+TEST(Distance, IsTheSameInAVicinity) {
+  test::Chance chance(5);
+  const DistancePart part(together(cylinderMesh(0.05, 0.2), moved(cube(), {0.6, 0.0, 0.0})));
+  int enough = 0, limited = 0;
+  for (int i = 0; i < 100; ++i) {
+    const Centreline cable = test::randomCable(chance, 5, 0.04, 0.5, 0.005, false);
+    const Pose pose{chance.inBox(0.2), chance.orientation()};
+    const double reach = std::max(distance(cable, part, pose)->distance, 0.0) + 0.01;
+    const PartVicinity vicinity(cable, part, pose, reach);
+    for (int k = 0; k < 5; ++k) {
+      const Pose near{pose.position + 0.005 * chance.direction(),
+                      so3::exp(0.02 * chance.direction()) * pose.orientation};
+      const auto whole = distance(cable, part, near);
+      ASSERT_TRUE(whole);
+      const ClosestPair hint = *distance(cable, part, pose);
+      const auto within = distance(cable, part, near, {}, 1e-5, {&hint, &vicinity});
+      ASSERT_TRUE(within);
+      EXPECT_NEAR(whole->distance, within->distance, 1e-9) << i;
+      EXPECT_EQ(whole->contact, within->contact) << i;
+      EXPECT_NEAR((whole->on_other - within->on_other).norm(), 0.0, 1e-6) << i;
+      enough += vicinity.completeWithin(cable, near) > whole->distance ? 1 : 0;
+      for (const double share : {-0.002, 0.002}) {
+        const double limit = whole->distance + share;
+        const auto below = distance(cable, part, near, {}, 1e-5, {nullptr, &vicinity, limit});
+        if (share > 0.0) {
+          ASSERT_TRUE(below) << i;
+        }
+        limited += below ? 0 : 1;
+        if (below) {
+          EXPECT_NEAR(below->distance, whole->distance, 1e-9) << i;
+        }
+      }
+    }
+  }
+  EXPECT_GT(enough, 300);
+  EXPECT_GT(limited, 300);
 }
 
 TEST(Distance, RefusesWhatItCannotMeasure) {

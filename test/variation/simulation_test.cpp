@@ -276,7 +276,9 @@ TEST(simulation, ends_when_sigma_is_known_well_enough) {
   EXPECT_LT(done, 100000u);
   EXPECT_LE(0.5 * (of.sigma_interval.high - of.sigma_interval.low), 0.055 * of.sigma);
   // of a chi-squared variable of kurtosis 15 the variance's relative variance is 14/n: 1.96 √(14/n)/2 = 0.05
-  EXPECT_NEAR(static_cast<double>(done), 5400.0, 2700.0);
+  // at 5400; the kurtosis itself is an estimate, and the count at most doubles from one look to the next
+  EXPECT_GT(done, 2700u);
+  EXPECT_LT(done, 16200u);
   options.samples = 1200;  // too few
   const Produced few = simulate(scene, options);
   EXPECT_EQ(few.simulation.statistics.samples, 1200u);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -51,20 +52,31 @@ class DistancePart {
   std::unique_ptr<Impl> impl_;
 };
 
+class PartVicinity;
+
+/// What makes a search for the closest pair faster.
+struct DistanceSearch {
+  /// Found before, of a similar placement. This and the next change nothing in what is found.
+  const ClosestPair* near = nullptr;
+  /// Of the cable, and the part as it is or was placed before.
+  const PartVicinity* vicinity = nullptr;
+  /// A pair further apart than this [m] is of no interest: none may be given instead.
+  double limit = std::numeric_limits<double>::infinity();
+};
+
 /// The closest pair of a cable and a part at `pose` (world), exact to 1e-7 m for any size and placement of
 /// the triangles: the smallest distance of the part from a place of the centreline, less the radius there.
 /// Within a solid of the part, that is one of its closed shells, minus the depth below its surface takes the
 /// distance's place; so a centreline that pierces or lies inside has minus the depth of its deepest point,
 /// minus the radius there. (Which shells are closed: solids.h. An overlap of solids is as deep as its
 /// deepest.) Where it pierces an open surface the value is minus the radius. Ends of the cable count as
-/// round: a sphere about the last point. `hint`: a pair found before, of a similar placement; it makes the
-/// search faster and changes nothing else. Local minima within `margin` [m] of the smallest are looked for
+/// round: a sphere about the last point. Local minima within `margin` [m] of the smallest are looked for
 /// (runner_up): more than two radii along the cable away, or seen in a direction that differs by more than
 /// 0.01 rad. None when all of the cable is skipped. Throws std::invalid_argument for what is no cable, pose
 /// or margin.
 std::optional<ClosestPair> distance(const Centreline& cable, const DistancePart& part, const Pose& pose,
                                     const std::vector<SkippedStretch>& skipped = {}, double margin = 1e-5,
-                                    const ClosestPair* hint = nullptr);
+                                    const DistanceSearch& search = {});
 
 /// Where one cable hangs on another, and how long the way through the joint from place to place must be for
 /// the two to count as a pair.

@@ -8,6 +8,7 @@
 #include <cable_variation/geometry/closest_cells.h>
 #include <cable_variation/geometry/depth.h>
 #include <cable_variation/geometry/distance_part.h>
+#include <cable_variation/geometry/part_vicinity.h>
 #include <cable_variation/geometry/section_minimum.h>
 #include <cable_variation/geometry/tube_section.h>
 
@@ -26,18 +27,14 @@ struct Cell {
   SectionMinimum at;
 };
 
-// Walks both trees, nearest boxes first.
+// Walks the cable's tree and one of triangles, nearest boxes first.
 class Walk {
  public:
-  Walk(const std::vector<TubeSection>& sections, const SectionTree& cable, const Part& part, double margin)
-      : sections_(sections), cable_(cable), part_(part), margin_(margin) {}
-
-  void evaluate(std::size_t section, std::uint32_t triangle) {
-    const auto minimum = smallest(sections_[section], part_.tree.triangles[triangle], cutoff());
-    if (!minimum) return;
-    best_ = std::min(best_, minimum->value);
-    cells_.push_back({section, triangle, *minimum});
-  }
+  /// @param places of the tree's triangles in the part's own; null: it is the part's own
+  /// @param limit of the values that are looked for
+  Walk(const std::vector<TubeSection>& sections, const SectionTree& cable, const TriangleTree& tree,
+       const std::vector<std::uint32_t>* places, double limit, double margin)
+      : sections_(sections), cable_(cable), tree_(tree), places_(places), best_(limit), margin_(margin) {}
 
   // The cells within the margin of the smallest, that one first.
   std::vector<Cell> run() {
@@ -48,17 +45,18 @@ class Walk {
     std::vector<Pair> open;
     open.reserve(256);
     const auto add = [&](std::uint32_t cable, std::uint32_t part) {
-      open.push_back({squaredGap(cable_.nodes[cable].box, part_.tree.nodes[part].box), cable, part});
+      open.push_back({squaredGap(cable_.nodes[cable].box, tree_.nodes[part].box), cable, part});
     };
     add(0, 0);
     while (!open.empty()) {
       const Pair pair = open.back();
       open.pop_back();
       const SectionTree::Node& cable = cable_.nodes[pair.cable];
-      const TriangleTree::Node& part = part_.tree.nodes[pair.part];
-      const double reach = cutoff() + cable.largest_radius;
+      const TriangleTree::Node& part = tree_.nodes[pair.part];
+      const double reach = best_ + margin_ + cable.largest_radius;
       if (reach <= 0.0 || pair.squared >= reach * reach) continue;
       const bool cable_leaf = cable.count == 1, part_leaf = part.count > 0;
+      if (part_leaf && !anyWithin(part, cable.box, reach)) continue;
       if (cable_leaf && part_leaf) {
         for (std::uint32_t i = part.first; i < part.first + part.count; ++i) evaluate(cable.first, i);
         continue;
@@ -77,13 +75,31 @@ class Walk {
   }
 
  private:
-  double cutoff() const { return best_ + margin_; }
+  // Whether a triangle of the leaf may be within `reach` of the box, as its plane tells: the box of a large
+  // triangle that lies askew holds much that the triangle is far from.
+  bool anyWithin(const TriangleTree::Node& leaf, const Box& box, double reach) const {
+    const Eigen::Vector3d centre = 0.5 * (box.low + box.high).matrix();
+    const Eigen::Vector3d half = 0.5 * (box.high - box.low).matrix();
+    for (std::uint32_t i = leaf.first; i < leaf.first + leaf.count; ++i) {
+      const SurfaceTriangle& triangle = tree_.triangles[i];
+      const double height = std::abs(triangle.normal.dot(centre - triangle.corners[0]));
+      if (height < reach + triangle.normal.cwiseAbs().dot(half)) return true;
+    }
+    return false;
+  }
+
+  void evaluate(std::size_t section, std::uint32_t triangle) {
+    const auto minimum = smallest(sections_[section], tree_.triangles[triangle], best_ + margin_);
+    if (!minimum) return;
+    best_ = std::min(best_, minimum->value);
+    cells_.push_back({section, places_ == nullptr ? triangle : (*places_)[triangle], *minimum});
+  }
 
   const std::vector<TubeSection>& sections_;
   const SectionTree& cable_;
-  const Part& part_;
-  double margin_;
-  double best_ = kInfinity;
+  const TriangleTree& tree_;
+  const std::vector<std::uint32_t>* places_;
+  double best_, margin_;
   std::vector<Cell> cells_;
 };
 
@@ -147,7 +163,7 @@ std::vector<std::uint32_t> solidsTouched(const Part& part, std::vector<TubeSecti
   for (TubeSection& section : sections) section.start_radius = section.end_radius = 0.0;
   const SectionTree tree(sections);
   std::vector<std::uint32_t> solids;
-  for (const Cell& cell : Walk(sections, tree, part, kTouching).run()) {
+  for (const Cell& cell : Walk(sections, tree, part.tree, nullptr, kInfinity, kTouching).run()) {
     if (cell.at.value > kTouching) continue;
     touches = true;
     solids.push_back(part.solidOf(cell.triangle));
@@ -172,6 +188,32 @@ std::vector<std::uint32_t> solidsEntered(const Part& part, const std::vector<Tub
   return solids;
 }
 
+// The value at the hint's section and triangle: none is larger that matters.
+double knownValue(const std::vector<TubeSection>& sections, const Part& part, const ClosestPair* near) {
+  if (near == nullptr || near->triangle >= part.place_in_tree.size()) return kInfinity;
+  const auto section = sectionAt(sections, near->place);
+  if (!section) return kInfinity;
+  const SurfaceTriangle& triangle = part.tree.triangles[part.place_in_tree[near->triangle]];
+  const auto minimum = smallest(sections[*section], triangle, kInfinity);
+  return minimum ? minimum->value : kInfinity;
+}
+
+// The cells within the margin of the smallest, that one first; none beyond the search's limit.
+std::vector<Cell> closestCells(const Centreline& cable, const std::vector<TubeSection>& sections,
+                               const Part& part, const Pose& pose, double margin,
+                               const DistanceSearch& search) {
+  // Not below 0: a cable that pierces may be deeper than its surface tells. And a little more than what is
+  // known, which is to be found again.
+  const double limit =
+      std::min(std::max(search.limit, 0.0), knownValue(sections, part, search.near) + kTouching);
+  const PartVicinity* vicinity = search.vicinity;
+  if (vicinity != nullptr && limit + margin < vicinity->completeWithin(cable, pose)) {
+    if (!vicinity->tree()) return {};
+    return Walk(sections, SectionTree(sections), *vicinity->tree(), &vicinity->places(), limit, margin).run();
+  }
+  return Walk(sections, SectionTree(sections), part.tree, nullptr, limit, margin).run();
+}
+
 ClosestPair inWorld(const Pose& pose, const TubeSection& section, double u, const NearestPoint& nearest,
                     std::uint32_t triangle) {
   const Eigen::Matrix3d turn = pose.orientation.normalized().toRotationMatrix();
@@ -188,7 +230,7 @@ ClosestPair inWorld(const Pose& pose, const TubeSection& section, double u, cons
 
 std::optional<ClosestPair> distance(const Centreline& cable, const DistancePart& part, const Pose& pose,
                                     const std::vector<SkippedStretch>& skipped, double margin,
-                                    const ClosestPair* hint) {
+                                    const DistanceSearch& search) {
   if (!(std::isfinite(margin) && margin >= 0.0)) {
     throw std::invalid_argument("distance: margin " + std::to_string(margin) +
                                 " m, expected a finite one of at least 0");
@@ -200,17 +242,10 @@ std::optional<ClosestPair> distance(const Centreline& cable, const DistancePart&
   const Part& impl = part.impl();
   const std::vector<TubeSection> sections = sectionsOf(cable, pose, skipped);
   if (sections.empty()) return std::nullopt;
-  const SectionTree tree(sections);
-  Walk walk(sections, tree, impl, margin);
-  if (hint && hint->triangle < impl.place_in_tree.size()) {
-    if (const auto section = sectionAt(sections, hint->place)) {
-      walk.evaluate(*section, impl.place_in_tree[hint->triangle]);
-    }
-  }
-  const std::vector<Cell> cells = walk.run();
-  const Cell& best = cells.front();
+  const std::vector<Cell> cells = closestCells(cable, sections, impl, pose, margin, search);
   bool touches = false;
-  const std::vector<std::uint32_t> solids = solidsEntered(impl, sections, best.at.value, touches);
+  const std::vector<std::uint32_t> solids =
+      solidsEntered(impl, sections, cells.empty() ? 0.0 : cells.front().at.value, touches);
 
   std::optional<Deepest> deep;
   for (const std::uint32_t solid : solids) {
@@ -234,6 +269,8 @@ std::optional<ClosestPair> distance(const Centreline& cable, const DistancePart&
     pair.runner_up = deep->runner_up;
     return pair;
   }
+  if (cells.empty()) return std::nullopt;
+  const Cell& best = cells.front();
   ClosestPair pair =
       inWorld(pose, sections[best.section], best.at.u, best.at.nearest, impl.tree.number[best.triangle]);
   pair.distance = best.at.value;

@@ -39,21 +39,29 @@ Eigen::Vector3d CurvePiece::second(double t) const {
 std::array<Eigen::Vector3d, 6> CurvePiece::controlPoints(double from, double to) const {
   // powers of u, with t = from + (to - from) u: a Taylor shift by Horner's scheme, then a scaling
   std::array<Eigen::Vector3d, 6> power = coefficients_;
-  for (std::size_t low = 0; low < 5; ++low) {
-    for (std::size_t k = 5; k-- > low;) power[k] += from * power[k + 1];
+  if (from != 0.0) {
+    for (std::size_t low = 0; low < 5; ++low) {
+      for (std::size_t k = 5; k-- > low;) power[k] += from * power[k + 1];
+    }
   }
-  double scale = 1.0;
-  for (Eigen::Vector3d& each : power) {
-    each *= scale;
-    scale *= to - from;
+  if (to - from != 1.0) {
+    double scale = 1.0;
+    for (Eigen::Vector3d& each : power) {
+      each *= scale;
+      scale *= to - from;
+    }
   }
   // u^j = sum over i >= j of C(i, j) / C(5, j) times the i-th Bernstein polynomial
-  constexpr double kBinomial[6][6] = {{1, 0, 0, 0, 0, 0}, {1, 1, 0, 0, 0, 0}, {1, 2, 1, 0, 0, 0},
-                                      {1, 3, 3, 1, 0, 0}, {1, 4, 6, 4, 1, 0}, {1, 5, 10, 10, 5, 1}};
+  constexpr double kShare[6][6] = {{1, 0, 0, 0, 0, 0},
+                                   {1, 1.0 / 5, 0, 0, 0, 0},
+                                   {1, 2.0 / 5, 1.0 / 10, 0, 0, 0},
+                                   {1, 3.0 / 5, 3.0 / 10, 1.0 / 10, 0, 0},
+                                   {1, 4.0 / 5, 6.0 / 10, 4.0 / 10, 1.0 / 5, 0},
+                                   {1, 1, 1, 1, 1, 1}};
   std::array<Eigen::Vector3d, 6> points;
   for (std::size_t i = 0; i < 6; ++i) {
-    points[i].setZero();
-    for (std::size_t j = 0; j <= i; ++j) points[i] += kBinomial[i][j] / kBinomial[5][j] * power[j];
+    points[i] = power[0];
+    for (std::size_t j = 1; j <= i; ++j) points[i] += kShare[i][j] * power[j];
   }
   return points;
 }

@@ -1,16 +1,16 @@
 #include <cable_variation/math/thread_limit.h>
 
 #include <algorithm>
-#include <limits>
 
+#include <tbb/info.h>
 #include <tbb/task_arena.h>
 
 namespace cable_variation {
 
 void withThreads(std::size_t threads, const std::function<void()>& work) {
-  constexpr auto kMost = static_cast<std::size_t>(std::numeric_limits<int>::max());
+  const auto cores = static_cast<std::size_t>(tbb::info::default_concurrency());
   tbb::task_arena arena(threads == 0 ? tbb::task_arena::automatic
-                                     : static_cast<int>(std::min(threads, kMost)));
+                                     : static_cast<int>(std::min(threads, cores)));
   arena.execute(work);
 }
 

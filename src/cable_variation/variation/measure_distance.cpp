@@ -1,11 +1,14 @@
 #include <cable_variation/variation/measure_distance.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 
 #include <Eigen/Geometry>
 
+#include <cable_variation/geometry/part_vicinity.h>
 #include <cable_variation/variation/joint_between.h>
 
 namespace cable_variation {
@@ -68,21 +71,38 @@ double slopeAt(const CableView& view, const Place& place, const Vector3d& direct
 }  // namespace
 
 MeasureValue componentDistanceValue(const MeasureContext& context, const Measure& measure,
-                                    const DistancePart& part, const MeasureValue* near) {
+                                    const DistancePart& part, const MeasureValue* near,
+                                    const std::vector<PartVicinity>& vicinities) {
   const std::string& name = context.scene.components[*measure.component].name;
   const Pose& pose = poseOf(context, name);
-  std::vector<std::optional<ClosestPair>> pairs;
+  std::vector<std::optional<ClosestPair>> pairs(measure.cables.size());
+  const bool known = near != nullptr && near->trace.pairs.size() == pairs.size();
+  std::vector<std::size_t> order(pairs.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  if (known) {
+    // the closest of a similar shape first: the others need only be looked at as far as that
+    const auto before = [&](std::size_t k) {
+      const auto& pair = near->trace.pairs[k];
+      return pair ? pair->distance : std::numeric_limits<double>::infinity();
+    };
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t a, std::size_t b) { return before(a) < before(b); });
+  }
   std::size_t smallest = measure.cables.size();
-  for (std::size_t k = 0; k < measure.cables.size(); ++k) {
+  for (const std::size_t k : order) {
     const std::size_t cable = measure.cables[k];
     std::vector<SkippedStretch> skipped;
     visitSkippedClips(context, measure, cable, [&](std::size_t, double at) {
       skipped.push_back({at - measure.skip_near_clips, at + measure.skip_near_clips});
     });
-    const bool known = near != nullptr && k < near->trace.pairs.size() && near->trace.pairs[k] &&
-                       near->trace.pairs[k]->place.piece < context.cables[cable].pieces().size();
-    pairs.push_back(distance(context.cables[cable].line(), part, pose, skipped, kEqual,
-                             known ? &*near->trace.pairs[k] : nullptr));
+    DistanceSearch search;
+    if (known) {
+      const std::optional<ClosestPair>& pair = near->trace.pairs[k];
+      if (pair && pair->place.piece < context.cables[cable].pieces().size()) search.near = &*pair;
+      if (k < vicinities.size()) search.vicinity = &vicinities[k];
+      if (smallest < pairs.size()) search.limit = pairs[smallest]->distance;
+    }
+    pairs[k] = distance(context.cables[cable].line(), part, pose, skipped, kEqual, search);
     if (!pairs[k]) continue;
     if (smallest == measure.cables.size() || pairs[k]->distance < pairs[smallest]->distance) smallest = k;
   }

@@ -1,7 +1,11 @@
 #include <cable_variation/variation/measure_evaluation.h>
 
+#include <algorithm>
+#include <cmath>
+#include <map>
 #include <stdexcept>
 
+#include <cable_variation/geometry/part_vicinity.h>
 #include <cable_variation/variation/measure_clip.h>
 #include <cable_variation/variation/measure_distance.h>
 #include <cable_variation/variation/measure_shape.h>
@@ -17,8 +21,9 @@ using Type = Measure::Type;
 
 struct MeasureEvaluator::Impl {
   const Scene& scene;
-  std::vector<Centreline> nominal;  // per cable
-  ComponentParts parts;             // that measures need
+  std::vector<Centreline> nominal;                              // per cable
+  ComponentParts parts;                                         // that measures need
+  std::map<std::size_t, std::vector<PartVicinity>> vicinities;  // of measures, per cable of theirs
 
   Impl(const Scene& of, const SolvedScene& solved, const ComponentParts& known) : scene(of) {
     for (std::size_t i = 0; i < solved.equilibrium.shapes.size(); ++i)
@@ -41,14 +46,15 @@ struct MeasureEvaluator::Impl {
     return scene.measures[index];
   }
 
-  MeasureValue value(const MeasureContext& context, const Measure& measure, const MeasureValue* near) const {
+  MeasureValue value(const MeasureContext& context, std::size_t index, const MeasureValue* near) const {
+    const Measure& measure = this->measure(index);
     const Equilibrium& equilibrium = context.at.equilibrium;
     MeasureValue figure;  // of the whole harness
     switch (measure.type) {
       case Type::distance:
-        return measure.component
-                   ? componentDistanceValue(context, measure, *parts.find(*measure.component), near)
-                   : cableDistanceValue(context, measure);
+        if (!measure.component) return cableDistanceValue(context, measure);
+        return componentDistanceValue(context, measure, *parts.find(*measure.component), near,
+                                      vicinitiesOf(index));
       case Type::similarity:
         return similarityValue(context, measure, nominal);
       case Type::position:
@@ -76,6 +82,12 @@ struct MeasureEvaluator::Impl {
         break;
     }
     return figure;
+  }
+
+  const std::vector<PartVicinity>& vicinitiesOf(std::size_t index) const {
+    static const std::vector<PartVicinity> none;
+    const auto found = vicinities.find(index);
+    return found == vicinities.end() ? none : found->second;
   }
 
   static RateOfMeasure rate(const MeasureContext& context, const Measure& measure,
@@ -126,6 +138,22 @@ MeasureEvaluator MeasureEvaluator::with(const Scene& scene, const SolvedScene& n
   return MeasureEvaluator(std::make_unique<Impl>(scene, nominal, impl_->parts));
 }
 
+void MeasureEvaluator::expectNear(const SolvedScene& nominal, const std::vector<std::size_t>& measures,
+                                  const std::vector<MeasureValue>& values, double departure) {
+  for (std::size_t i = 0; i < measures.size(); ++i) {
+    const Measure& measure = impl_->measure(measures[i]);
+    if (measure.type != Type::distance || !measure.component || !std::isfinite(values[i].value)) continue;
+    // a shape that has gone this far may be that much closer, and then see what is as far again
+    const double reach = std::max(values[i].value, 0.0) + 2.0 * departure;
+    std::vector<PartVicinity>& vicinities = impl_->vicinities[measures[i]];
+    vicinities.clear();
+    for (const std::size_t cable : measure.cables) {
+      vicinities.emplace_back(impl_->nominal[cable], *impl_->parts.find(*measure.component),
+                              nominal.components.at(impl_->scene.components[*measure.component].name), reach);
+    }
+  }
+}
+
 const ComponentParts& MeasureEvaluator::parts() const { return impl_->parts; }
 
 std::vector<MeasureValue> MeasureEvaluator::evaluate(const SolvedScene& at,
@@ -136,7 +164,7 @@ std::vector<MeasureValue> MeasureEvaluator::evaluate(const SolvedScene& at,
   values.reserve(measures.size());
   for (std::size_t i = 0; i < measures.size(); ++i) {
     const MeasureValue* known = near != nullptr && i < near->size() ? &(*near)[i] : nullptr;
-    values.push_back(impl_->value(context, impl_->measure(measures[i]), known));
+    values.push_back(impl_->value(context, measures[i], known));
   }
   return values;
 }

@@ -61,6 +61,12 @@ class MeasureEvaluator {
   /// parts' geometry is shared, not prepared again.
   MeasureEvaluator with(const Scene& scene, const SolvedScene& nominal) const;
 
+  /// Makes ready for many shapes near the nominal one: the distances of those that are nowhere further from
+  /// it than `departure` [m], seen from the component, are found faster with `near`. Changes nothing else.
+  /// @param values of `measures` at `nominal`, the shape that similarity compares with
+  void expectNear(const SolvedScene& nominal, const std::vector<std::size_t>& measures,
+                  const std::vector<MeasureValue>& values, double departure);
+
   /// The components that measures look at.
   const ComponentParts& parts() const;
 

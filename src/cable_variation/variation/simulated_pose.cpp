@@ -15,6 +15,10 @@ namespace {
 // Stretches that shapes are followed by, in radii of the thinnest cable: their ends tell of a jump.
 constexpr double kStretch = 4.0;
 
+// Distances are prepared for samples that go so many standard deviations from the design, and a little
+// further [m], since parts vary too.
+constexpr double kDeparture = 4.5, kFreeDeparture = 1e-3;
+
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 StabilityAnalysis analysisOf(const SampleSpace& space, const VariedDesign& design,
@@ -76,6 +80,8 @@ SimulatedPose::SimulatedPose(const SampleSpace& space, const VariedDesign& desig
   for (std::size_t i = 0; i < sections; ++i)
     shares_.push_back(static_cast<double>(i) / static_cast<double>(sections - 1));
   findAxes(scene, design.variables);
+  evaluator_.expectNear({harness_, linear_.nominal, space.components(space.designAt(time))}, measures_,
+                        linear_.values, kDeparture * largest_sigma_ + kFreeDeparture);
   const std::vector<CableView> views = viewsOf(harness_, linear_.nominal);
   double thinnest = std::numeric_limits<double>::infinity();
   for (const CableShape& shape : linear_.nominal.shapes) thinnest = std::min(thinnest, shape.radius);
@@ -107,7 +113,9 @@ void SimulatedPose::findAxes(const Scene& scene, const std::vector<std::size_t>&
                                   linear_.rates[static_cast<std::size_t>(j)]};
         gradient.col(j) = views[cable].rate(place, change.cable(cable)).position;
       }
-      axes_[cable].push_back(principalAxes(gradient * covariance * gradient.transpose()).directions);
+      const PrincipalAxes axes = principalAxes(gradient * covariance * gradient.transpose());
+      axes_[cable].push_back(axes.directions);
+      largest_sigma_ = std::max(largest_sigma_, axes.sigma[0]);
     }
   }
 }

@@ -55,6 +55,7 @@ class SimulatedPose {
   EquilibriumSolver solver_;
   MeasureEvaluator evaluator_;
   std::vector<std::vector<Eigen::Matrix3d>> axes_;  // per cable and section
+  double largest_sigma_ = 0.0;                      // of a section, by the linear model [m]
   std::vector<MaterialStretch> stretches_;
   std::vector<std::string> frames_ = {"world"};
   StretchReader reader_;

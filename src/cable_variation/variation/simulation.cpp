@@ -15,6 +15,7 @@
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
+#include <cable_variation/math/thread_limit.h>
 #include <cable_variation/variation/sample_block.h>
 #include <cable_variation/variation/worst_over_motion.h>
 
@@ -32,7 +33,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kBlock = 128;
 // After so many samples σ is looked at for the first time, and then after at most so many times as many:
 // how many it takes is itself an estimate.
-constexpr std::uint64_t kPilot = 1024, kGrowth = 3;
+constexpr std::uint64_t kPilot = 1024, kGrowth = 2;
 // Trial samples that the times of a motion are chosen by, of another seed than the simulation's.
 constexpr std::uint64_t kTrials = 256, kTrialSeed = 0x9e3779b97f4a7c15;
 constexpr double kAsked = 0.1;  // the observer, at most so often [s]
@@ -150,9 +151,7 @@ class Simulator {
   }
 
   Simulation run() {
-    tbb::task_arena arena(options_.threads == 0 ? tbb::task_arena::automatic
-                                                : static_cast<int>(options_.threads));
-    arena.execute([&] {
+    withThreads(options_.threads, [&] {
       preparePoses();
       prepareFigures();
       solveAll();

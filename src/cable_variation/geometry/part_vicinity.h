@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <cable_variation/geometry/distance.h>
+#include <cable_variation/geometry/triangle_tree.h>
+
+namespace cable_variation {
+
+/// The triangles of a part that are near a cable: all that its distance can depend on while it does not move
+/// far. Immutable; may be shared by threads.
+class PartVicinity {
+ public:
+  /// @param pose of the part, world @param reach triangles up to this from the cable's surface [m]
+  PartVicinity(const Centreline& cable, const DistancePart& part, const Pose& pose, double reach);
+
+  /// No triangle that is missing is nearer to the surface of `cable`, the part being at `pose`, than this
+  /// [m]: the reach, less how far the cable has gone, seen from the part, and grown. Negative: not known,
+  /// which is so for a cable with another number of pieces.
+  double completeWithin(const Centreline& cable, const Pose& pose) const;
+
+  /// Of these triangles; none if there are none.
+  const std::optional<TriangleTree>& tree() const { return tree_; }
+  /// The place among all of the part's (DistancePart::Impl::tree) of each of these.
+  const std::vector<std::uint32_t>& places() const { return places_; }
+
+ private:
+  struct Piece {
+    std::array<Eigen::Vector3d, 6> control;  // in the part's frame [m]
+    double start_radius = 0.0, end_radius = 0.0;
+  };
+  static Piece pieceOf(const Centreline::Piece& piece, const Pose& to_part);
+
+  double reach_;
+  std::vector<Piece> pieces_;
+  std::optional<TriangleTree> tree_;
+  std::vector<std::uint32_t> places_;
+};
+
+}  // namespace cable_variation
