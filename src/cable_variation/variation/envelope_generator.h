@@ -14,18 +14,18 @@ namespace cable_variation {
 
 /// With a motion nothing else need vary.
 struct EnvelopeOptions : VariedDesign {
-  std::vector<std::size_t> cables;     ///< indices; empty: all
-  double from = 0.0;                   ///< of the motions [s]
-  double to = -1.0;                    ///< likewise; negative: the end of the longest
-  std::vector<std::string> frames;     ///< components to see the envelope from, beside the world
-  double margin = 1e-4;                ///< protrusion to stay below before inflation [m]
-  bool conservative = true;            ///< inflate until nothing sticks out
-  std::size_t verification = 2000;     ///< independent random shapes for containment
-  std::size_t tightness = 0;           ///< shapes for tightness; 0: not computed
-  double voxel = 0.0;                  ///< for tightness [m]; 0: a sixth of the thinnest cable's radius
-  std::size_t largest_solves = 3000;   ///< per phase; ending there is warned of
-  std::uint64_t seed = 1;              ///< of the random shapes
-  std::size_t threads = 0;             ///< 0: as many as there are cores
+  std::vector<std::size_t> cables;    ///< indices; empty: all
+  double from = 0.0;                  ///< of the motions [s]
+  double to = -1.0;                   ///< likewise; negative: the end of the longest
+  std::vector<std::string> frames;    ///< components to see the envelope from, beside the world
+  double margin = 1e-4;               ///< protrusion to stay below before inflation [m]
+  bool conservative = true;           ///< inflate until nothing sticks out
+  std::size_t verification = 2000;    ///< independent random shapes for containment
+  std::size_t tightness = 0;          ///< shapes for tightness; 0: not computed
+  double voxel = 0.0;                 ///< for tightness [m]; 0: a sixth of the thinnest cable's radius
+  std::size_t largest_solves = 3000;  ///< per phase; ending there is warned of
+  std::uint64_t seed = 1;             ///< of the random shapes
+  std::size_t threads = 0;            ///< 0: as many as there are cores
 };
 
 struct EnvelopeProgress {
