@@ -31,14 +31,17 @@ class StatusLine:
                 self.stream.flush()
 
 
-def bar(share):
+def bar(share, width):
     """Share done as [######..................]  25 %"""
-    done = round(24 * min(max(share, 0.0), 1.0))
-    return '[%s%s] %3.0f %%' % ('#' * done, '.' * (24 - done), 100 * share)
+    done = round(width * min(max(share, 0.0), 1.0))
+    return '[%s%s] %3.0f %%' % ('#' * done, '.' * (width - done), 100 * share)
 
 
 def duration(seconds):
-    return '%.0f s' % math.ceil(seconds) if seconds < 100 else '%.0f min' % math.ceil(seconds / 60)
+    for name, size in (('s', 1), ('min', 60), ('h', 3600)):
+        if seconds < 100 * size:
+            break
+    return '%.0f %s' % (math.ceil(seconds / size), name)
 
 
 def time_left(seconds):

@@ -93,9 +93,9 @@ def shortened(text, width):
 
 def table(header, rows, left=1):
     """Prints columns as wide as they need to be, the first `left` of them flush left. Where they are wider
-    than WIDTH together, the first one is shortened."""
+    than WIDTH together, the first one is shortened, as far as that makes sense."""
     widths = [max(len(row[i]) for row in [header] + rows) for i in range(len(header))]
-    widths[0] -= max(0, sum(widths) + 2 * len(widths) - WIDTH)
+    widths[0] = max(min(widths[0], 10), widths[0] - max(0, sum(widths) + 2 * len(widths) - WIDTH))
     for row in [header] + rows:
         row = [shortened(row[0], widths[0])] + row[1:]
         cells = [cell.ljust(width) if i < left else cell.rjust(width)

@@ -241,8 +241,8 @@ class SimulateVariationTest(NodeTest):
         # That of the scene itself is refused with the scene; this is of another design.
         node, _ = self.solver(scene=DATA + 'hanging.yaml')
         answer = self.service(node + '/simulate_variation', SimulateVariation)(
-            variables=['*'], samples=10, nominal_variables=['tail_length'], nominal_values=[0.002])
-        self.assertRefused(answer.status, Status.INVALID_ARGUMENT, "'tail_length'", '-0.003 m')
+            variables=['*'], samples=10, nominal_variables=['tail_length'], nominal_values=[0.0045])
+        self.assertRefused(answer.status, Status.INVALID_ARGUMENT, "'tail_length'", '-0.005 m')
 
     def test_it_is_shown_until_the_design_changes(self):
         answer = self.simulate(variables=['*'], samples=200, sheaf_shapes=7, sections=21)
