@@ -214,6 +214,13 @@ std::vector<Cell> closestCells(const Centreline& cable, const std::vector<TubeSe
   return Walk(sections, SectionTree(sections), part.tree, nullptr, limit, margin).run();
 }
 
+// Nothing of the part was near the cable, and is not now either.
+bool nothingWithin(const Centreline& cable, const Pose& pose, double margin, const DistanceSearch& search) {
+  const PartVicinity* vicinity = search.vicinity;
+  if (vicinity == nullptr || vicinity->tree() || !vicinity->outside() || cable.pieces.empty()) return false;
+  return std::max(search.limit, 0.0) + margin < vicinity->completeWithin(cable, pose);
+}
+
 ClosestPair inWorld(const Pose& pose, const TubeSection& section, double u, const NearestPoint& nearest,
                     std::uint32_t triangle) {
   const Eigen::Matrix3d turn = pose.orientation.normalized().toRotationMatrix();
@@ -239,6 +246,7 @@ std::optional<ClosestPair> distance(const Centreline& cable, const DistancePart&
         pose.orientation.norm() > 0.0)) {
     throw std::invalid_argument("distance: the part's pose is not finite");
   }
+  if (nothingWithin(cable, pose, margin, search)) return std::nullopt;
   const Part& impl = part.impl();
   const std::vector<TubeSection> sections = sectionsOf(cable, pose, skipped);
   if (sections.empty()) return std::nullopt;

@@ -42,8 +42,13 @@ PartVicinity::PartVicinity(const Centreline& cable, const DistancePart& part, co
   const Pose to_part = pose.inverse();
   for (const Centreline::Piece& piece : cable.pieces) pieces_.push_back(pieceOf(piece, to_part));
   const TriangleTree& whole = part.impl().tree;
-  const std::vector<std::uint32_t> near = trianglesNear(sectionsOf(cable, pose, {}), whole, reach);
-  if (near.empty()) return;
+  const std::vector<TubeSection> sections = sectionsOf(cable, pose, {});
+  const std::vector<std::uint32_t> near = trianglesNear(sections, whole, reach);
+  if (near.empty()) {
+    // nothing crosses it: one place tells of all
+    outside_ = part.impl().solidsAround(sections.front().middle).empty();
+    return;
+  }
   TriangleMesh mesh;
   for (const std::uint32_t place : near) {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());

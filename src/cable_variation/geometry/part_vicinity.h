@@ -21,6 +21,10 @@ class PartVicinity {
   /// which is so for a cable with another number of pieces.
   double completeWithin(const Centreline& cable, const Pose& pose) const;
 
+  /// Whether no part of the cable was inside a solid of the part: then it is still outside while no triangle
+  /// has come near, that is as far as completeWithin() tells, if none is here.
+  bool outside() const { return outside_; }
+
   /// Of these triangles; none if there are none.
   const std::optional<TriangleTree>& tree() const { return tree_; }
   /// The place among all of the part's (DistancePart::Impl::tree) of each of these.
@@ -34,6 +38,7 @@ class PartVicinity {
   static Piece pieceOf(const Centreline::Piece& piece, const Pose& to_part);
 
   double reach_;
+  bool outside_ = true;
   std::vector<Piece> pieces_;
   std::optional<TriangleTree> tree_;
   std::vector<std::uint32_t> places_;

@@ -108,6 +108,14 @@ std::optional<SectionMinimum> smallest(const TubeSection& section, const Surface
   const Interval whole{0.0, 1.0, section.control};
   if (planeBound(whole, section, best) >= cutoff) return std::nullopt;
 
+  if (best.value >= cutoff) {
+    // the halves' bounds are four times as sharp, and cost less than the minimum
+    const auto [left, right] = halves(section.control);
+    const auto isBeyond = [&](const Interval& half) {
+      return planeBound(half, section, valueAt(section, triangle, 0.5 * (half.a + half.b))) >= cutoff;
+    };
+    if (isBeyond({0.0, 0.5, left}) && isBeyond({0.5, 1.0, right})) return std::nullopt;
+  }
   best = localMinimum(section, triangle, 0.0, 1.0, best);
   const auto done = [&](double bound) { return bound >= std::min(cutoff, best.value - kTolerance); };
   if (!done(planeBound(whole, section, best))) {
