@@ -287,6 +287,23 @@ TEST(MeasureStatistics, ALinearMeasureIsKnownFromItsLinearModel) {
   EXPECT_NEAR(s.controlled->correlation, 1.0, 1e-12);
 }
 
+// What rounding leaves of the variance may be negative: the interval stays one, and the gain large.
+TEST(MeasureStatistics, ALinearMeasureHasAnIntervalWhateverRoundingLeaves) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    MeasureAccumulator accumulator({}, {});
+    const CounterRandom random(seed, 0);
+    for (std::uint32_t i = 0; i < 1000; ++i) {
+      const double x = 1.2e-3 * normalScore(random.uniform(i, 0));
+      accumulator.add(x * 0.7071067811865475, x * 0.7071067811865476);
+    }
+    const MeasureStatistics s = accumulator.statistics(0.95, LinearMoments{0.0, 1.2e-3 * 0.7071067811865476});
+    ASSERT_TRUE(s.controlled) << s.no_control;
+    EXPECT_LE(s.controlled->mean_interval.low, s.controlled->mean) << seed;
+    EXPECT_GE(s.controlled->mean_interval.high, s.controlled->mean) << seed;
+    EXPECT_GT(s.controlled->mean_gain, 1e12) << seed;
+  }
+}
+
 TEST(MeasureStatistics, WithoutItsGroundsThereIsNoControl) {
   MeasureAccumulator accumulator({}, {});
   for (int i = 0; i < 100; ++i) accumulator.add(std::sin(i), std::sin(i));

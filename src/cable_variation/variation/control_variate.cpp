@@ -52,7 +52,9 @@ ControlledEstimate controlled(const JointMoments& even, const JointMoments& odd,
   ControlledEstimate estimate;
   const double mean_a = b.bestMeanFactor(), mean_b = a.bestMeanFactor();
   estimate.mean = share_a * a.mean(linear, mean_a) + share_b * b.mean(linear, mean_b);
-  const double mean_noise = n / (n - 2.0) * (share_a * a.meanNoise(mean_a) + share_b * b.meanNoise(mean_b));
+  const double mean_noise =
+      std::max(kRounding * all.m.central(2, 0),
+               n / (n - 2.0) * (share_a * a.meanNoise(mean_a) + share_b * b.meanNoise(mean_b)));
   estimate.mean_interval =
       meanInterval(estimate.mean, std::sqrt(mean_noise / n), both.count() - 2, confidence);
 
