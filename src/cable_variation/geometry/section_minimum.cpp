@@ -9,6 +9,7 @@ namespace cable_variation {
 namespace {
 
 constexpr double kTolerance = 1e-9;   // of a value [m]
+constexpr double kNothing = 1e-15;    // likewise, lost in rounding
 constexpr int kMostSteps = 80;        // bisection alone needs 52
 constexpr double kNarrowest = 1e-12;  // a part of the section that is not divided further
 
@@ -16,6 +17,17 @@ struct Interval {
   double a, b;  // of u
   ControlPoints control;
 };
+
+// From below, of the distance to the triangle's plane all along the section.
+double heightBound(const TubeSection& section, const SurfaceTriangle& triangle) {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (const Eigen::Vector3d& point : section.control) {
+    const double height = triangle.normal.dot(point - triangle.corners[0]);
+    low = std::min(low, height);
+    high = std::max(high, height);
+  }
+  return std::max(low, -high);
+}
 
 // From below, over the interval, of the value: by the plane of a nearest point there.
 double planeBound(const Interval& interval, const TubeSection& section, const SectionMinimum& at) {
@@ -74,7 +86,8 @@ SectionMinimum localMinimum(const TubeSection& section, const SurfaceTriangle& t
     // no further than to the surface, which a curve that pierces it crosses there
     if (slope * approach > 0.0) length = std::min(length, here.nearest.distance / std::abs(approach));
     double next = slope > 0.0 ? u - length : u + length;
-    if (std::abs(next - u) <= 1e-16) break;
+    // what is left to gain
+    if (std::abs(slope * (next - u)) <= kNothing) break;
     const bool slow = high - low > 0.5 * width;
     width = high - low;
     if (next <= low) {
@@ -99,9 +112,10 @@ SectionMinimum valueAt(const TubeSection& section, const SurfaceTriangle& triang
 
 std::optional<SectionMinimum> smallest(const TubeSection& section, const SurfaceTriangle& triangle,
                                        double cutoff) {
-  // a first sieve: the distance to the triangle's plane
+  // a first sieve: the distance to the triangle's plane, of the middle, then of the whole curve
   const double within = cutoff + section.reach + section.largestRadius();
   if (std::abs(triangle.normal.dot(section.middle - triangle.corners[0])) >= within) return std::nullopt;
+  if (heightBound(section, triangle) >= cutoff + section.largestRadius()) return std::nullopt;
   SectionMinimum best{0.0, 0.5, nearestPoint(triangle, section.middle)};
   if (best.nearest.distance >= within) return std::nullopt;
   best.value = best.nearest.distance - section.radius(0.5);

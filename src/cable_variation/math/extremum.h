@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include <boost/math/tools/minima.hpp>
@@ -17,21 +18,35 @@ struct Extremum {
   bool unique = true;  ///< false: a second local maximum has the same value, to 1e-9 of it
 };
 
-/// Finds it for a quantity(piece, t) that is smooth within each of `pieces` pieces: sampled at kSteps + 1
-/// places of each, and refined around the highest samples until t is known to `accuracy` (1e-8 at best).
+/// Finds it for a quantity(piece, t) that is smooth within each of `pieces` pieces: sampled at every second
+/// of kSteps + 1 places of each, at all of them in the pieces that come near the largest, and refined around
+/// the highest samples until t is known to `accuracy` (1e-8 at best).
 template <std::size_t kSteps = 8, class Quantity>
 Extremum largestAlong(std::size_t pieces, const Quantity& quantity, double accuracy = 1e-9) {
+  static_assert(kSteps % 2 == 0, "every second place includes both ends");
   constexpr std::size_t kPerPiece = kSteps + 1;
-  std::vector<double> samples(pieces * kPerPiece);
-  for (std::size_t i = 0; i < samples.size(); ++i) {
+  // a sample is off its maximum by a curvature only, those at twice the distance by four times that
+  constexpr double kOff = 0.05;
+  std::vector<double> samples(pieces * kPerPiece, -std::numeric_limits<double>::infinity());
+  double top = -std::numeric_limits<double>::infinity(), bottom = -top;
+  const auto sample = [&](std::size_t i) {
     samples[i] = quantity(i / kPerPiece, static_cast<double>(i % kPerPiece) / kSteps);
+    top = std::max(top, samples[i]);
+    bottom = std::min(bottom, samples[i]);
+  };
+  for (std::size_t first = 0; first < samples.size(); first += kPerPiece) {
+    for (std::size_t step = 0; step <= kSteps; step += 2) sample(first + step);
   }
-  // local maxima worth a closer look, the highest first; a sample is off its maximum by a curvature only
+  const double near = top - 4.0 * kOff * (top - bottom);
+  for (std::size_t first = 0; first < samples.size(); first += kPerPiece) {
+    const auto piece = samples.begin() + static_cast<std::ptrdiff_t>(first);
+    if (*std::max_element(piece, piece + static_cast<std::ptrdiff_t>(kPerPiece)) < near) continue;
+    for (std::size_t step = 1; step < kSteps; step += 2) sample(first + step);
+  }
+  // local maxima worth a closer look, the highest first
   std::vector<std::size_t> peaks;
-  const double top = *std::max_element(samples.begin(), samples.end());
-  const double bottom = *std::min_element(samples.begin(), samples.end());
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (samples[i] < top - 0.05 * (top - bottom)) continue;
+    if (samples[i] < top - kOff * (top - bottom)) continue;
     // each piece on its own: next to where two meet, the maximum may be on either side
     const std::size_t step = i % kPerPiece;
     if (step > 0 && samples[i] < samples[i - 1]) continue;

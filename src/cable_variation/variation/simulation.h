@@ -33,7 +33,7 @@ struct SimulationOptions : VariedDesign {
   double to = 0.0;              ///< the same: variation at that time; later: the worst over the motion
   std::size_t most_times = 16;  ///< at which each sample is solved to find its worst
 
-  std::size_t sections = 65;    ///< along each cable, ends included, at least 2: for the variation along it
+  std::size_t sections = 33;    ///< along each cable, ends included, at least 2: for the variation along it
   std::size_t kept_shapes = 0;  ///< shapes of the first samples that are kept, to be seen
   std::size_t threads = 0;      ///< 0: as many as there are cores
 };
