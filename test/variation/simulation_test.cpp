@@ -370,6 +370,29 @@ TEST(simulation, over_a_motion_takes_the_worst_of_every_sample) {
   EXPECT_EQ(votes, 256u);
 }
 
+TEST(simulation, can_be_ended_before_its_first_sample) {
+  Scene scene = shippedHarness();
+  Motion motion;
+  motion.name = "drift";
+  motion.component = "engine";
+  for (int i = 0; i <= 2000; ++i) {
+    const double x = 0.01 * std::sin(0.5 * i);
+    motion.samples.push_back({0.01 * i,
+                              {scene.components[1].pose.position + x * Eigen::Vector3d::UnitX(),
+                               scene.components[1].pose.orientation}});
+  }
+  ASSERT_EQ(scene.components[1].name, "engine");
+  scene.motions = {motion};
+  SimulationOptions options = optionsFor(scene, 1000);
+  options.motions = {0};
+  options.to = 20.0;
+  const Produced run = simulate(scene, options, [](const SimulationProgress&) { return false; });
+  EXPECT_TRUE(run.simulation.ended_early);
+  EXPECT_EQ(run.simulation.statistics.samples, 0u);
+  EXPECT_TRUE(run.samples.empty());
+  EXPECT_TRUE(std::isnan(run.simulation.statistics.statistics[0].mean));
+}
+
 struct Refusal {
   const char* says;
   void (*spoil)(Scene&, SimulationOptions&);

@@ -55,13 +55,17 @@ template <typename... Parts>
 // Tells the observer, one thread at a time, and remembers when it wants an end.
 class Watch {
  public:
-  Watch(const SimulationObserver& observer, Clock::time_point start) : observer_(observer), start_(start) {}
+  Watch(const SimulationObserver& observer, Clock::time_point start, std::uint64_t wanted)
+      : observer_(observer), start_(start) {
+    progress_.wanted = wanted;
+  }
 
   bool ended() const { return ended_; }
 
   void update(const SimulationAccumulator& figures, std::uint64_t wanted) {
-    if (!observer_ || !due()) return;
+    if (!observer_ || secondsSince(start_) < refreshed_ + kAsked) return;
     const std::lock_guard<std::mutex> lock(mutex_);
+    refreshed_ = secondsSince(start_);
     progress_.samples = figures.samples();
     progress_.wanted = wanted;
     progress_.snapped = figures.count(SampleOutcome::snapped);
@@ -72,7 +76,7 @@ class Watch {
       progress_.mean.push_back(running.mean);
       progress_.sigma.push_back(running.sigma);
     }
-    tell();
+    if (due()) tell();
   }
 
   // By any thread; whether the work goes on.
@@ -101,6 +105,7 @@ class Watch {
   Clock::time_point start_;
   std::mutex mutex_;
   SimulationProgress progress_;
+  double refreshed_ = 0.0;  // the figures in it [s]; told or not, for others tell in between
   std::atomic<double> told_{0.0};
   std::atomic<bool> ended_{false};
 };
@@ -146,7 +151,7 @@ class Simulator {
         sampler_(scene, options_.variables, options_.sampler, options_.samples, options_.seed),
         solver_(solver),
         receiver_(receiver),
-        watch_(observer, start_) {
+        watch_(observer, start_, options_.samples) {
     requirePhysical();
   }
 
@@ -185,9 +190,10 @@ class Simulator {
     if (!space_.motions().empty() && options_.to > options_.from) {
       const Sampler trials(scene_, options_.variables, SamplerType::sobol, kTrials,
                            options_.seed + kTrialSeed);
-      WorstTimes worst = findWorstTimes(space_, options_.measures, evaluator_, trials, options_.from,
-                                        options_.to, options_.most_times, solver_);
-      times = std::move(worst.times);
+      WorstTimes worst =
+          findWorstTimes(space_, options_.measures, evaluator_, trials, options_.from, options_.to,
+                         options_.most_times, solver_, [&] { return watch_.goesOn(); });
+      if (!worst.times.empty()) times = std::move(worst.times);
       result_.missed = std::move(worst.missed);
     }
     EquilibriumSolver solver = solver_;

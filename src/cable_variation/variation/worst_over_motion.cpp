@@ -36,7 +36,9 @@ class Search {
       sampler.sample(static_cast<std::uint64_t>(j), trials_.col(j).data());
   }
 
-  void model(const MeasureEvaluator& evaluator, double from, double to, EquilibriumSolver solver) {
+  // Whether it was not left.
+  bool model(const MeasureEvaluator& evaluator, double from, double to, EquilibriumSolver solver,
+             const std::function<bool()>& goes_on) {
     const Harness first = space_.harness(space_.designAt(from));
     const Equilibrium start = solver.update(first);
     double thinnest = std::numeric_limits<double>::infinity(), longest = 0.0;
@@ -45,6 +47,7 @@ class Search {
     std::vector<MeasureValue> near;
     for (MotionPhase& phase :
          cutIntoPhases(space_, {"world"}, from, to, kStride * thinnest, kLever * longest)) {
+      if (!goes_on()) return false;
       const SamplePlace place = space_.designAt(phase.reference);
       const Harness harness = space_.harness(place);
       const Equilibrium equilibrium = solver.update(harness);
@@ -73,6 +76,7 @@ class Search {
       models_.push_back(std::move(model));
     }
     nominal_ = models_.front().values;
+    return true;
   }
 
   WorstTimes choose(std::size_t most) {
@@ -190,9 +194,9 @@ double badness(const Measure& measure, double nominal, double value) {
 
 WorstTimes findWorstTimes(const SampleSpace& space, const std::vector<std::size_t>& measures,
                           const MeasureEvaluator& evaluator, const Sampler& trials, double from, double to,
-                          std::size_t most, EquilibriumSolver solver) {
+                          std::size_t most, EquilibriumSolver solver, const std::function<bool()>& goes_on) {
   Search search(space, measures, trials);
-  search.model(evaluator, from, to, std::move(solver));
+  if (!search.model(evaluator, from, to, std::move(solver), goes_on)) return {};
   return search.choose(most);
 }
 

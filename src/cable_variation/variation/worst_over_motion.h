@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include <cable_variation/variation/measure_evaluation.h>
@@ -27,9 +28,10 @@ struct WorstTimes {
 /// spread, or there are `most`.
 /// @param trials draws deviations; all of them are looked at
 /// @param solver the design's shape to follow
+/// @param goes_on asked at every phase; false: leave it, no times
 /// Throws std::runtime_error that names the time: the design has no equilibrium.
 WorstTimes findWorstTimes(const SampleSpace& space, const std::vector<std::size_t>& measures,
                           const MeasureEvaluator& evaluator, const Sampler& trials, double from, double to,
-                          std::size_t most, EquilibriumSolver solver);
+                          std::size_t most, EquilibriumSolver solver, const std::function<bool()>& goes_on);
 
 }  // namespace cable_variation
