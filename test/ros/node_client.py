@@ -2,6 +2,7 @@
 import time
 import unittest
 
+import actionlib
 import rospy
 import tf2_ros
 from cable_variation.msg import Status
@@ -33,6 +34,16 @@ class NodeTest(unittest.TestCase):
                 return answer
             time.sleep(0.02)
         return self.fail('not within %g s: %s' % (self.TIMEOUT, what))
+
+    def finished(self, client, patience=TIMEOUT):
+        """Whether a goal ended in time. Other than wait_for_result(), this does not miss an answer that overtook
+        the return of send_goal()."""
+        end = time.time() + patience
+        while time.time() < end:
+            if client.gh is not None and client.gh.get_comm_state() == actionlib.CommState.DONE:
+                return True
+            time.sleep(0.005)
+        return False
 
     def transform(self, parent, frame):
         def lookup():

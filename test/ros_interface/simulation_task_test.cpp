@@ -63,7 +63,7 @@ TEST_F(SimulationTaskTest, EmptyFieldsAreDefaults) {
   EXPECT_EQ(made.options.confidence, 0.95);
   EXPECT_EQ(made.options.seed, 1u);
   EXPECT_EQ(made.options.sampler, SamplerType::monte_carlo);
-  EXPECT_EQ(made.options.sections, 65u);
+  EXPECT_EQ(made.options.sections, 33u);
   EXPECT_EQ(made.options.kept_shapes, 0u);
   EXPECT_EQ(made.options.threads, 3u);
   EXPECT_TRUE(made.options.motions.empty());
