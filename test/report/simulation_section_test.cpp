@@ -88,6 +88,15 @@ TEST_F(SimulationSection, PageIsWellFormedAndHasTheFigures) {
   EXPECT_NE(page.find("<td>8</td>"), std::string::npos);
 }
 
+TEST_F(SimulationSection, RejectsThatNeverComeHaveNoDigits) {
+  scene_.measures[0].upper.reset();
+  // 3 σ to the limit of 5 mm: some 1350 ppm
+  EXPECT_NE(simulationSection(scene_, simulated(false), {}).html().find(" ppm)"), std::string::npos);
+  scene_.measures[0].lower = -0.001;  // 9 σ
+  const std::string html = simulationSection(scene_, simulated(false), {}).html();
+  EXPECT_NE(html.find(">&lt; 0.001 ppm<"), std::string::npos);
+}
+
 TEST_F(SimulationSection, WhatWasNotSolvedIsSaid) {
   const std::string html = simulationSection(scene_, simulated(true), {}).html();
   for (const char* text :

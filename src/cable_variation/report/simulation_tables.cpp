@@ -23,8 +23,10 @@ ReportCell optional(const std::optional<double>& value, double factor, int digit
 // Below 1 the spread does not fit between the limits.
 ReportCell index(double value) { return {figure(value, 3), 0.0, value < 1.0}; }
 
-// A small share in parts per million too.
+// A small share in parts per million too. Of one that never comes the digits would mean nothing.
 std::string rejects(double share) {
+  constexpr double kNever = 1e-9;
+  if (share > 0.0 && share < kNever) return "< 0.001 ppm";
   const std::string text = percent(share);
   return share > 0.0 && share < 0.01 ? text + " (" + figure(1e6 * share, 5) + " ppm)" : text;
 }
