@@ -1,5 +1,6 @@
 #include <ros_interface/simulation_files.h>
 
+#include <cable_variation/report/cable_variation_section.h>
 #include <cable_variation/report/output_file.h>
 #include <cable_variation/report/page.h>
 #include <cable_variation/report/sample_csv.h>
@@ -90,10 +91,12 @@ void SimulationFiles::finish(const Simulation& simulation,
   if (simulation.statistics.samples == 0) return;
   response.statistics_file = written("_statistics.csv", statisticsCsv(scene_, simulation.statistics));
   response.contributions_file = written("_contributions.csv", contributionCsv(scene_, simulation.statistics));
-  response.report_file = written(
-      ".html", cable_variation::reportPage("Variation simulation", about(scene_, task_.options, simulation),
-                                           {simulationSection(scene_, simulation.statistics,
-                                                              task_.options.values, &simulation.linear)}));
+  response.report_file =
+      written(".html",
+              cable_variation::reportPage(
+                  "Variation simulation", about(scene_, task_.options, simulation),
+                  {simulationSection(scene_, simulation.statistics, task_.options.values, &simulation.linear),
+                   cableVariationSection(scene_, simulation)}));
 }
 
 }  // namespace cable_variation_ros
