@@ -84,7 +84,9 @@ void SimulationFiles::finish(const Simulation& simulation,
                              cable_variation::SimulateVariationResponse& response) {
   if (!samples_) return;
   response.samples_file = samples_->partialPath();
-  if (!samples_broken_ && !simulation.ended_early && attempt([&] { samples_->finish(); })) {
+  if (simulation.ended_early) {
+    if (!samples_broken_) attempt([&] { samples_->stop(); });
+  } else if (!samples_broken_ && attempt([&] { samples_->finish(); })) {
     response.samples_file = samples_path_;
   }
   samples_.reset();

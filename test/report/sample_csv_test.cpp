@@ -75,6 +75,26 @@ TEST_F(SampleCsvTest, AnEndedOneIsMarkedAsPartial) {
   EXPECT_NE(contentsOf(path_ + ".partial").find("0,solved,"), std::string::npos);
 }
 
+TEST_F(SampleCsvTest, AnEndedOneIsOnTheDiskOrAnError) {
+  const double zero = 0.0;
+  SampleCsv ended = csv();
+  ended.add(0, SampleOutcome::solved, &zero, &zero);
+  ended.stop();
+  EXPECT_NE(contentsOf(path_ + ".partial").find("0,solved,"), std::string::npos);
+  EXPECT_THROW(ended.add(1, SampleOutcome::solved, &zero, &zero), std::logic_error);
+
+  fs::remove(path_ + ".partial");
+  fs::create_symlink("/dev/full", path_ + ".partial");
+  SampleCsv full = csv();
+  full.add(0, SampleOutcome::solved, &zero, &zero);  // not more than fits into the buffer
+  try {
+    full.stop();
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("No space left on device"), std::string::npos) << error.what();
+  }
+}
+
 TEST_F(SampleCsvTest, AFolderThatIsNotThereIsAnError) {
   try {
     SampleCsv((folder_ / "no" / "samples.csv").string(), scene_, {0}, {1}, {});

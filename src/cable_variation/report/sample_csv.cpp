@@ -42,15 +42,25 @@ void SampleCsv::add(std::uint64_t index, SampleOutcome outcome, const double* de
 }
 
 void SampleCsv::finish() {
-  if (!file_) throw std::logic_error("the samples of '" + path_ + "' are finished already");
+  requireOpen();
   errno = 0;
   if (std::fflush(file_.get()) != 0 || ::fsync(::fileno(file_.get())) != 0) fail(errno);
-  if (std::fclose(file_.release()) != 0) fail(errno);
+  stop();
   if (std::rename(partial_.c_str(), path_.c_str()) != 0) fail(errno);
 }
 
-void SampleCsv::write(const std::string& line) {
+void SampleCsv::stop() {
+  requireOpen();
+  errno = 0;
+  if (std::fclose(file_.release()) != 0) fail(errno);
+}
+
+void SampleCsv::requireOpen() const {
   if (!file_) throw std::logic_error("the samples of '" + path_ + "' are finished already");
+}
+
+void SampleCsv::write(const std::string& line) {
+  requireOpen();
   errno = 0;
   if (std::fwrite(line.data(), 1, line.size(), file_.get()) != line.size()) fail(errno);
 }

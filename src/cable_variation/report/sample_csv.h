@@ -29,6 +29,9 @@ class SampleCsv {
   /// All samples are there: they are brought to the disk and the file gets its name. Throws as add().
   void finish();
 
+  /// No more samples come: those that are there are written and keep the name partialPath(). Throws as add().
+  void stop();
+
   const std::string& partialPath() const { return partial_; }
 
  private:
@@ -36,6 +39,7 @@ class SampleCsv {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
 
+  void requireOpen() const;
   void write(const std::string& line);
   [[noreturn]] void fail(int error) const;
 
