@@ -13,7 +13,7 @@ import rostest
 from cable_variation.srv import GetScene
 from node_client import NodeTest
 
-CLIENT = os.path.join(roslib.packages.get_pkg_dir('cable_variation'), 'scripts', 'envelope')
+CLIENT = roslib.packages.find_node('cable_variation', 'envelope')[0]
 
 
 def command(*arguments):

@@ -14,7 +14,7 @@ import rostest
 from cable_variation.srv import GetScene, SimulateVariation
 from node_client import NodeTest
 
-CLIENT = os.path.join(roslib.packages.get_pkg_dir('cable_variation'), 'scripts', 'simulate')
+CLIENT = roslib.packages.find_node('cable_variation', 'simulate')[0]
 
 
 def command(*arguments):
