@@ -118,7 +118,8 @@ void LaneSystem::factoriseStations(int index) {
         column.motion.setZero();
         column.motion.segment<3>(6 * end) = effect.displacement;
         column.motion.segment<3>(6 * end + 3) = effect.rotation;
-        column.force.noalias() = stiffness * column.motion;
+        column.force.noalias() =
+            stiffness.middleCols<6>(6 * end).lazyProduct(column.motion.segment<6>(6 * end));
       }
     }
     for (const Column& c : columns) {

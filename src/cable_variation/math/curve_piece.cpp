@@ -68,7 +68,8 @@ std::array<Eigen::Vector3d, 6> CurvePiece::controlPoints(double from, double to)
 
 double CurvePiece::curvature(double t) const {
   const Eigen::Vector3d tangent = first(t);
-  return tangent.cross(second(t)).norm() / std::pow(tangent.norm(), 3);
+  const double squared = tangent.squaredNorm();
+  return tangent.cross(second(t)).norm() / (squared * std::sqrt(squared));
 }
 
 }  // namespace cable_variation

@@ -70,6 +70,9 @@ double hypotRate(double x, double y, double x_rate, double y_rate) {
   return size > 0.0 ? (x * x_rate + y * y_rate) / size : std::hypot(x_rate, y_rate);
 }
 
+// As std::hypot(), a tenth of its time: strains and curvatures are far from overflow.
+double length(double x, double y) { return std::sqrt(x * x + y * y); }
+
 // Largest normal strain and shear strain at a section's surface.
 struct SurfaceStrain {
   double normal, shear;
@@ -83,9 +86,9 @@ double torsionArm(const SectionSize& size) {
 SurfaceStrain surfaceStrain(const Vector3d& strain, const Vector3d& curvature, const SectionSize& size) {
   const double bending =
       size.rectangle() ? 0.5 * (size.height * std::abs(curvature.y()) + size.width * std::abs(curvature.z()))
-                       : size.radius * std::hypot(curvature.y(), curvature.z());
+                       : size.radius * length(curvature.y(), curvature.z());
   return {std::abs(strain.x()) + bending,
-          torsionArm(size) * std::abs(curvature.x()) + std::hypot(strain.y(), strain.z())};
+          torsionArm(size) * std::abs(curvature.x()) + length(strain.y(), strain.z())};
 }
 
 SurfaceStrain surfaceStrainRate(const Vector3d& strain, const Vector3d& curvature, const SectionSize& size,
