@@ -47,6 +47,16 @@ struct Sample {
   }
 };
 
+// All variables of the scene, in its order.
+DesignValues valuesOf(const Scene& scene, const Sample& sample) {
+  DesignValues values;
+  for (std::size_t j = 0; j < sample.deviations.size(); ++j) {
+    const DesignVariable& variable = scene.design_variables[j];
+    values[variable.name] = variable.nominal + sample.deviations[j];
+  }
+  return values;
+}
+
 struct Produced {
   Simulation simulation;
   std::vector<Sample> samples;
@@ -164,13 +174,8 @@ TEST(simulation, solves_every_sample_as_the_solver_itself) {
   const MeasureEvaluator evaluator = design.evaluator(scene);
   for (const Sample& sample : run.samples) {
     if (sample.outcome != SampleOutcome::solved) continue;
-    DesignValues values;
-    for (std::size_t j = 0; j < options.variables.size(); ++j) {
-      const DesignVariable& variable = scene.design_variables[j];
-      values[variable.name] = variable.nominal + sample.deviations[j];
-    }
     EquilibriumSolver solver = design.solver;
-    const Solved solved = solveAt(scene, values, solver);
+    const Solved solved = solveAt(scene, valuesOf(scene, sample), solver);
     ASSERT_TRUE(solved.equilibrium.converged());
     const auto expected = evaluator.evaluate(solved.view(), allOf(scene.measures.size()));
     for (std::size_t i = 0; i < expected.size(); ++i) {
@@ -194,13 +199,8 @@ TEST(simulation, knows_the_smallest_eigenvalue_of_every_sample) {
   const Design design(scene);
   for (const Sample& sample : run.samples) {
     if (sample.outcome != SampleOutcome::solved) continue;
-    DesignValues values;
-    for (std::size_t j = 0; j < sample.deviations.size(); ++j) {
-      const DesignVariable& variable = scene.design_variables[j];
-      values[variable.name] = variable.nominal + sample.deviations[j];
-    }
     EquilibriumSolver solver = design.solver;
-    const Equilibrium found = solver.update(harnessAt(scene, values));
+    const Equilibrium found = solver.update(harnessAt(scene, valuesOf(scene, sample)));
     EXPECT_NEAR(sample.values[0], found.smallest_eigenvalue, 0.01 * found.smallest_eigenvalue)
         << "sample " << sample.index;
   }
