@@ -393,6 +393,16 @@ TEST(simulation, can_be_ended_before_its_first_sample) {
   EXPECT_TRUE(std::isnan(run.simulation.statistics.statistics[0].mean));
 }
 
+TEST(simulation, without_measures_tells_of_the_cables) {
+  Scene scene = turningRod();
+  scene.measures.clear();
+  const Produced run = simulate(scene, optionsFor(scene, 500));
+  EXPECT_EQ(run.simulation.statistics.samples, 500u);
+  EXPECT_TRUE(run.simulation.statistics.statistics.empty());
+  EXPECT_NEAR(run.simulation.cables[0].sections.back().axes.sigma[0], kLength * kSigma,
+              0.2 * kLength * kSigma);  // six standard errors of 500 samples
+}
+
 struct Refusal {
   const char* says;
   void (*spoil)(Scene&, SimulationOptions&);
