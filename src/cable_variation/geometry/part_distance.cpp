@@ -56,11 +56,11 @@ class Walk {
       const double reach = best_ + margin_ + cable.largest_radius;
       if (reach <= 0.0 || pair.squared >= reach * reach) continue;
       const bool cable_leaf = cable.count == 1, part_leaf = part.count > 0;
-      if (part_leaf && !anyWithin(part, cable.box, reach)) continue;
       if (cable_leaf && part_leaf) {
         for (std::uint32_t i = part.first; i < part.first + part.count; ++i) evaluate(cable.first, i);
         continue;
       }
+      if (part_leaf && !anyWithin(part, cable.box, reach)) continue;
       const std::size_t before = open.size();
       if (part_leaf || (!cable_leaf && cable.box.largestExtent() > part.box.largestExtent())) {
         add(static_cast<std::uint32_t>(cable.left), pair.part);
