@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -13,22 +12,17 @@
 #include <cable_variation/harness/problem.h>
 #include <cable_variation/harness/smallest_eigenvalue.h>
 #include <cable_variation/harness/start_search.h>
+#include <cable_variation/math/seconds_since.h>
 #include <cable_variation/math/so3.h>
 
 namespace cable_variation {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 // More stretch than this is outside what a linear law and a real cable bear.
 constexpr double kLargestStretch = 0.05;
 // update() goes to its goal in pieces that turn no clip by more than this [rad].
 constexpr double kLargestPiece = 0.35;
 constexpr int kRefinements = 7;
-
-double secondsSince(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 // The clips on their way from `from` to `to`.
 Harness between(const Harness& from, const Harness& to, double t) {

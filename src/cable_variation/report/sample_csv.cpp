@@ -32,7 +32,7 @@ SampleCsv::SampleCsv(const std::string& path, const Scene& scene, const std::vec
 
 void SampleCsv::add(std::uint64_t index, SampleOutcome outcome, const double* deviations,
                     const double* measured) {
-  const bool has_values = outcome == SampleOutcome::solved || outcome == SampleOutcome::snapped;
+  const bool has_values = hasValues(outcome);
   std::string line = std::to_string(index) + "," + toString(outcome);
   for (std::size_t i = 0; i < nominal_.size(); ++i) line += "," + csv::number(nominal_[i] + deviations[i]);
   for (std::size_t i = 0; i < measures_; ++i) {

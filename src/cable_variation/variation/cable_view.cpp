@@ -66,6 +66,14 @@ double CableView::shareRate(const Place& place, const CableRates& rates, double 
   return (arc_length_rate - arcLengthRate(place, rates)) / pieces_[place.piece].length;
 }
 
+std::vector<CableView> viewsOf(const Harness& harness, const Equilibrium& equilibrium) {
+  std::vector<CableView> views;
+  views.reserve(harness.cables.size());
+  for (std::size_t i = 0; i < harness.cables.size(); ++i)
+    views.emplace_back(harness.cables[i], equilibrium.shapes.at(i));
+  return views;
+}
+
 Centreline centrelineOf(const Cable& cable, const CableShape& shape) {
   return CableView(cable, shape).line();
 }

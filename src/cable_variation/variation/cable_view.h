@@ -69,6 +69,9 @@ class CableView {
   Centreline line_;
 };
 
+/// Of all cables of a solved harness; both must outlive them.
+std::vector<CableView> viewsOf(const Harness& harness, const Equilibrium& equilibrium);
+
 /// The centreline of a shape; for a cable that must be kept, without its view.
 Centreline centrelineOf(const Cable& cable, const CableShape& shape);
 

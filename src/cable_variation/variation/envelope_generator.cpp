@@ -2,16 +2,16 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cmath>
 #include <mutex>
-#include <numeric>
 #include <sstream>
 #include <stdexcept>
 
 #include <tbb/parallel_for.h>
 
+#include <cable_variation/math/seconds_since.h>
 #include <cable_variation/math/thread_limit.h>
+#include <cable_variation/variation/chosen_indices.h>
 #include <cable_variation/variation/envelope_assembly.h>
 #include <cable_variation/variation/envelope_tightness.h>
 #include <cable_variation/variation/envelope_verification.h>
@@ -21,12 +21,6 @@
 
 namespace cable_variation {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 // A facet that would move out by less than this share of the margin is left.
 constexpr double kWorthwhile = 0.4;
@@ -106,16 +100,8 @@ class Generator {
       throw std::invalid_argument("from and to: expected times of at least 0 s");
     if (options.conservative && options.verification == 0)
       throw std::invalid_argument("verification: 0 shapes; expected at least 1 for a conservative envelope");
-    for (const std::size_t cable : options.cables) {
-      if (cable < scene.harness.cables.size()) continue;
-      throw std::invalid_argument("cable number " + std::to_string(cable) + "; expected less than " +
-                                  std::to_string(scene.harness.cables.size()));
-    }
-    if (scene.harness.cables.empty()) throw std::invalid_argument("the scene has no cables");
-    if (options.cables.empty()) {
-      options.cables.resize(scene.harness.cables.size());
-      std::iota(options.cables.begin(), options.cables.end(), std::size_t{0});
-    }
+    options.cables = allOrChosen(options.cables, scene.harness.cables.size(), "cable");
+    if (options.cables.empty()) throw std::invalid_argument("the scene has no cables");
     for (const std::string& frame : options.frames) componentPose(scene, frame);
     return options;
   }
@@ -159,9 +145,7 @@ class Generator {
       if (!searches_.empty()) noticeJump(searches_.back().follower(), follower);
       searches_.emplace_back(std::move(follower), phase.times, kWorthwhile * options_.margin);
     }
-    std::vector<std::size_t> all(searches_.size());
-    std::iota(all.begin(), all.end(), std::size_t{0});
-    run(all);
+    run(allIndices(searches_.size()));
   }
 
   void noticeJump(const ShapeFollower& before, const ShapeFollower& after) {

@@ -2,12 +2,8 @@
 
 namespace cable_variation {
 
-MeasureContext::MeasureContext(const Scene& of, const SolvedScene& solved) : scene(of), at(solved) {
-  cables.reserve(solved.harness.cables.size());
-  for (std::size_t i = 0; i < solved.harness.cables.size(); ++i) {
-    cables.emplace_back(solved.harness.cables[i], solved.equilibrium.shapes.at(i));
-  }
-}
+MeasureContext::MeasureContext(const Scene& of, const SolvedScene& solved)
+    : scene(of), at(solved), cables(viewsOf(solved.harness, solved.equilibrium)) {}
 
 const std::vector<SectionLoads>& MeasureContext::loads(std::size_t cable) const {
   loads_.resize(cables.size());

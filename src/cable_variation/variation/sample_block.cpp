@@ -36,7 +36,7 @@ SampleBlock BlockWorker::start(std::uint64_t first, std::size_t count) const {
   const auto samples = static_cast<Eigen::Index>(count);
   SampleBlock block{first,
                     Eigen::MatrixXd(static_cast<Eigen::Index>(sampler_->variableCount()), samples),
-                    Eigen::MatrixXd(static_cast<Eigen::Index>(measures_->size()), samples),
+                    Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(measures_->size()), samples),
                     std::vector<SampleOutcome>(count, SampleOutcome::solved),
                     *empty_,
                     false};
@@ -46,7 +46,7 @@ SampleBlock BlockWorker::start(std::uint64_t first, std::size_t count) const {
 }
 
 void BlockWorker::solveSome(SampleBlock& block, std::size_t at, std::size_t count) {
-  const auto deviations =
+  const Eigen::MatrixXd deviations =
       block.deviations.middleCols(static_cast<Eigen::Index>(at), static_cast<Eigen::Index>(count));
   for (std::size_t pose = 0; pose < workers_.size(); ++pose) {
     const auto& solved = workers_[pose].solve(deviations);
@@ -54,7 +54,7 @@ void BlockWorker::solveSome(SampleBlock& block, std::size_t at, std::size_t coun
       SampleOutcome& outcome = block.outcomes[at + i];
       outcome = std::max(outcome, solved[i].outcome);
       block.figures.solved_again += solved[i].solved_again ? 1 : 0;
-      if (!solved[i].hasValues()) continue;
+      if (!hasValues(solved[i].outcome)) continue;
       takeWorst(block, at + i, pose, solved[i]);
       addShapes(block, at + i, pose, solved[i]);
       block.figures.discretisation_error =
@@ -68,7 +68,7 @@ void BlockWorker::solveSome(SampleBlock& block, std::size_t at, std::size_t coun
     if (one_pose) poses_->front()->predict(sample, linear_.data());
     block.figures.measures.add(block.first + i, block.outcomes[i], sample, values,
                                one_pose ? linear_.data() : nullptr);
-    const bool has_values = block.outcomes[i] <= SampleOutcome::snapped;
+    const bool has_values = hasValues(block.outcomes[i]);
     for (const std::size_t pose : at_[i - at]) block.figures.worst[pose] += has_values ? 1 : 0;
   }
 }

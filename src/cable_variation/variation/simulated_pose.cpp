@@ -40,19 +40,22 @@ StabilityAnalysis analysisOf(const SampleSpace& space, const VariedDesign& desig
 }
 
 // At the design's shape, as samples are solved.
-EquilibriumSolver broughtTo(const Harness& harness, EquilibriumSolver solver,
-                            const EquilibriumOptions& options) {
+EquilibriumSolver solverOf(const Harness& harness, EquilibriumSolver solver, double accuracy,
+                           bool eigenvalue) {
+  EquilibriumOptions options;
+  options.accuracy = accuracy;
+  options.eigenvalue = eigenvalue;
   solver.setOptions(options);
-  if (!solver.update(harness).converged()) throw std::runtime_error("the design has no equilibrium");
+  const Equilibrium equilibrium = solver.update(harness);
+  if (!equilibrium.converged())
+    throw std::runtime_error("the design has no equilibrium: " + equilibrium.message);
   return solver;
 }
 
-std::vector<CableView> viewsOf(const Harness& harness, const Equilibrium& equilibrium) {
-  std::vector<CableView> views;
-  views.reserve(harness.cables.size());
-  for (std::size_t i = 0; i < harness.cables.size(); ++i)
-    views.emplace_back(harness.cables[i], equilibrium.shapes[i]);
-  return views;
+bool anyEigenvalue(const Scene& scene, const std::vector<std::size_t>& measures) {
+  return std::any_of(measures.begin(), measures.end(), [&](std::size_t index) {
+    return scene.measures[index].type == Measure::Type::eigenvalue;
+  });
 }
 
 }  // namespace
@@ -63,26 +66,19 @@ SimulatedPose::SimulatedPose(const SampleSpace& space, const VariedDesign& desig
     : space_(&space),
       time_(time),
       measures_(measures),
+      eigenvalue_(anyEigenvalue(space.scene(), measures)),
       harness_(space.harness(space.designAt(time))),
       linear_(analysisOf(space, design, measures, evaluator, solver, time)),
-      solver_(solver),
-      evaluator_(
-          evaluator.with(space.scene(), {harness_, linear_.nominal, space.components(space.designAt(time))})),
+      solver_(solverOf(harness_, solver, space.scene().accuracy, eigenvalue_)),
+      components_(space.components(space.designAt(time))),
+      evaluator_(evaluator.with(space.scene(), {harness_, linear_.nominal, components_})),
       reader_(space, stretches_, frames_) {
-  const Scene& scene = space.scene();
-  eigenvalue_ = std::any_of(measures.begin(), measures.end(), [&](std::size_t index) {
-    return scene.measures[index].type == Measure::Type::eigenvalue;
-  });
-  EquilibriumOptions options;
-  options.accuracy = scene.accuracy;
-  options.eigenvalue = eigenvalue_;
-  solver_ = broughtTo(harness_, solver_, options);
   for (std::size_t i = 0; i < sections; ++i)
     shares_.push_back(static_cast<double>(i) / static_cast<double>(sections - 1));
-  findAxes(scene, design.variables);
-  evaluator_.expectNear({harness_, linear_.nominal, space.components(space.designAt(time))}, measures_,
-                        linear_.values, kDeparture * largest_sigma_ + kFreeDeparture);
   const std::vector<CableView> views = viewsOf(harness_, linear_.nominal);
+  findAxes(views, design.variables);
+  evaluator_.expectNear({harness_, linear_.nominal, components_}, measures_, linear_.values,
+                        kDeparture * largest_sigma_ + kFreeDeparture);
   double thinnest = std::numeric_limits<double>::infinity();
   for (const CableShape& shape : linear_.nominal.shapes) thinnest = std::min(thinnest, shape.radius);
   for (std::size_t cable = 0; cable < views.size(); ++cable) {
@@ -98,9 +94,8 @@ SimulatedPose::SimulatedPose(const SampleSpace& space, const VariedDesign& desig
 }
 
 // Principal axes of each section's first-order covariance.
-void SimulatedPose::findAxes(const Scene& scene, const std::vector<std::size_t>& variables) {
-  const Eigen::MatrixXd covariance = spreadOf(scene, variables).covariance;
-  const std::vector<CableView> views = viewsOf(harness_, linear_.nominal);
+void SimulatedPose::findAxes(const std::vector<CableView>& views, const std::vector<std::size_t>& variables) {
+  const Eigen::MatrixXd covariance = spreadOf(space_->scene(), variables).covariance;
   const std::vector<DesignRate> rates = space_->rates(space_->designAt(time_));
   const auto count = static_cast<Eigen::Index>(variables.size());
   axes_.resize(views.size());
@@ -158,7 +153,7 @@ const std::array<PoseSample, PoseWorker::kSamples>& PoseWorker::solve(const Eige
   harnesses_.clear();
   for (std::size_t i = 0; i < count; ++i) {
     places[i] = {deviations.col(static_cast<Eigen::Index>(i)), pose_->time_};
-    samples_[i] = {};
+    samples_[i].solved_again = false;
     try {
       harnesses_.push_back(pose_->space_->harness(places[i]));
       sample_of[harnesses_.size() - 1] = i;

@@ -36,7 +36,6 @@ class SimulatedPose {
   /// Its exact mean and standard deviation, per measure.
   std::vector<std::optional<LinearMoments>> linearMoments() const;
 
-  std::size_t sections() const { return shares_.size(); }
   /// Of the design, at a cable's sections [m].
   std::vector<double> arcLengths(std::size_t cable) const;
   /// Along which the sections of a cable vary most, by the linear model: columns, unit vectors.
@@ -44,15 +43,17 @@ class SimulatedPose {
 
  private:
   friend class PoseWorker;
-  void findAxes(const Scene& scene, const std::vector<std::size_t>& variables);
+  void findAxes(const std::vector<CableView>& views, const std::vector<std::size_t>& variables);
 
   const SampleSpace* space_;
   double time_;
   std::vector<std::size_t> measures_;
+  bool eigenvalue_;             // is among them
   std::vector<double> shares_;  // of a cable's length
   Harness harness_;
   StabilityAnalysis linear_;
   EquilibriumSolver solver_;
+  ComponentPoses components_;
   MeasureEvaluator evaluator_;
   std::vector<std::vector<Eigen::Matrix3d>> axes_;  // per cable and section
   double largest_sigma_ = 0.0;                      // of a section, by the linear model [m]
@@ -61,18 +62,15 @@ class SimulatedPose {
   StretchReader reader_;
   std::optional<ShapeFollower> follower_;
   std::optional<BatchSolver> batch_;  // none: it cannot take this harness
-  bool eigenvalue_ = false;           // is among the measures
 };
 
-/// One sample's equilibrium and what was found in it.
+/// One sample's equilibrium and what was found in it; without one the figures mean nothing.
 struct PoseSample {
   SampleOutcome outcome = SampleOutcome::not_converged;
   bool solved_again = false;             ///< by the robust solver
   double discretisation_error = 0.0;     ///< [m]
   std::vector<double> values;            ///< per measure
   std::vector<Eigen::Matrix3Xd> points;  ///< per cable, of its sections [m, world]
-
-  bool hasValues() const { return outcome == SampleOutcome::solved || outcome == SampleOutcome::snapped; }
 };
 
 /// Solves samples around a pose, some at a time. One per thread.

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <atomic>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <mutex>
-#include <numeric>
 #include <sstream>
 #include <stdexcept>
 
@@ -15,18 +13,14 @@
 #include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
+#include <cable_variation/math/seconds_since.h>
 #include <cable_variation/math/thread_limit.h>
+#include <cable_variation/variation/chosen_indices.h>
 #include <cable_variation/variation/sample_block.h>
 #include <cable_variation/variation/worst_over_motion.h>
 
 namespace cable_variation {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 // Samples of a block: some tens of milliseconds of work, the figures of one kept by itself until its turn.
@@ -127,14 +121,7 @@ SimulationOptions checked(const Scene& scene, SimulationOptions options) {
   if (!(options.from >= 0.0) || !(options.to >= options.from) || !std::isfinite(options.to))
     refuse("from ", options.from, " s to ", options.to, " s; expected times in order, of at least 0");
   if (scene.harness.cables.empty()) refuse("the scene has no cables");
-  for (const std::size_t index : options.measures) {
-    if (index >= scene.measures.size())
-      refuse("measure number ", index, "; expected less than ", scene.measures.size());
-  }
-  if (options.measures.empty()) {
-    options.measures.resize(scene.measures.size());
-    std::iota(options.measures.begin(), options.measures.end(), std::size_t{0});
-  }
+  options.measures = allOrChosen(options.measures, scene.measures.size(), "measure");
   return options;
 }
 
@@ -264,7 +251,7 @@ class Simulator {
     if (receiver_) {
       for (std::size_t i = 0; i < block.outcomes.size(); ++i) {
         const auto column = static_cast<Eigen::Index>(i);
-        const bool has_values = block.outcomes[i] <= SampleOutcome::snapped;
+        const bool has_values = hasValues(block.outcomes[i]);
         receiver_(block.first + i, block.outcomes[i], block.deviations.col(column).data(),
                   has_values ? block.values.col(column).data() : nullptr);
       }

@@ -27,6 +27,10 @@ const char* toString(SampleOutcome outcome) {
   return kNames[static_cast<std::size_t>(outcome)];
 }
 
+bool hasValues(SampleOutcome outcome) {
+  return outcome == SampleOutcome::solved || outcome == SampleOutcome::snapped;
+}
+
 std::uint64_t samplesNeeded(const SimulationStatistics& statistics, double error) {
   double most = static_cast<double>(statistics.samples);
   for (const MeasureStatistics& measure : statistics.statistics) {
@@ -52,7 +56,7 @@ void SimulationAccumulator::add(std::uint64_t index, SampleOutcome outcome, cons
   if (outcome != SampleOutcome::solved && listed_.size() < SimulationStatistics::kMostListed) {
     listed_.push_back({index, outcome, {deviations, deviations + variables_.size()}});
   }
-  const bool has_values = outcome == SampleOutcome::solved || outcome == SampleOutcome::snapped;
+  const bool has_values = hasValues(outcome);
   for (std::size_t i = 0; i < accumulators_.size(); ++i) {
     accumulators_[i].add(has_values ? values[i] : kNaN, linear ? linear[i] : kNaN);
   }

@@ -22,6 +22,8 @@ enum class SampleOutcome {
 constexpr std::size_t kSampleOutcomes = 4;
 
 const char* toString(SampleOutcome outcome);
+/// Whether there is an equilibrium, and so values of its measures.
+bool hasValues(SampleOutcome outcome);
 
 /// A sample that was not simply solved.
 struct ListedSample {

@@ -1,37 +1,17 @@
 #include <cable_variation/variation/stability_analysis.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <sstream>
 #include <stdexcept>
 
+#include <cable_variation/math/seconds_since.h>
+#include <cable_variation/variation/chosen_indices.h>
 #include <cable_variation/variation/tolerances.h>
 
 namespace cable_variation {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double secondsSince(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-std::vector<std::size_t> allOrChosen(const std::vector<std::size_t>& chosen, std::size_t count,
-                                     const char* kind) {
-  for (std::size_t index : chosen) {
-    if (index >= count) {
-      throw std::invalid_argument(std::string(kind) + " number " + std::to_string(index) +
-                                  "; expected less than " + std::to_string(count));
-    }
-  }
-  if (!chosen.empty()) return chosen;
-  std::vector<std::size_t> all(count);
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  return all;
-}
 
 // One analysis on its way.
 class Analysis {

@@ -55,15 +55,6 @@ Eigen::Matrix3Xd StretchShape::predicted(const Eigen::VectorXd& change) const {
   return there;
 }
 
-std::vector<CableView> StretchReader::views(const Harness& harness, const Equilibrium& equilibrium) const {
-  std::vector<CableView> views;
-  views.reserve(harness.cables.size());
-  for (std::size_t i = 0; i < harness.cables.size(); ++i) {
-    views.emplace_back(harness.cables[i], equilibrium.shapes[i]);
-  }
-  return views;
-}
-
 StretchShape StretchReader::read(const SamplePlace& place, const Equilibrium& equilibrium,
                                  const std::vector<CableView>& views,
                                  const ComponentPoses& components) const {
@@ -104,13 +95,13 @@ StretchShape StretchReader::read(const SamplePlace& place, const Equilibrium& eq
 StretchShape StretchReader::read(const SamplePlace& place, const Harness& harness,
                                  const Equilibrium& equilibrium) const {
   const bool from_world_only = frames_->size() == 1;
-  return read(place, equilibrium, views(harness, equilibrium),
+  return read(place, equilibrium, viewsOf(harness, equilibrium),
               from_world_only ? ComponentPoses() : space_->components(place));
 }
 
 StretchShape StretchReader::readWithRates(const SamplePlace& place, const Harness& harness,
                                           const Equilibrium& equilibrium, EquilibriumSolver& solver) const {
-  const std::vector<CableView> cables = views(harness, equilibrium);
+  const std::vector<CableView> cables = viewsOf(harness, equilibrium);
   const ComponentPoses components = space_->components(place);
   StretchShape shape = read(place, equilibrium, cables, components);
   const std::vector<DesignRate> design = space_->rates(place);

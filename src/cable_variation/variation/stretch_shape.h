@@ -59,7 +59,6 @@ class StretchReader {
                              EquilibriumSolver& solver) const;
 
  private:
-  std::vector<CableView> views(const Harness& harness, const Equilibrium& equilibrium) const;
   StretchShape read(const SamplePlace& place, const Equilibrium& equilibrium,
                     const std::vector<CableView>& views, const ComponentPoses& components) const;
 
