@@ -72,6 +72,18 @@ Settling settle(const DiscreteRod& rod, DiscreteShape& shape) {
 
 namespace {
 
+// Where a saddle falls off: the motion that the shifted Hessian resists least, by inverse iteration.
+VectorXd softestMotion(const Factor& factor, const DiscreteRod& rod) {
+  constexpr int kRounds = 8;
+  VectorXd motion(rod.unknowns());
+  for (Eigen::Index i = 0; i < motion.size(); ++i) motion[i] = std::sin(1.7 * static_cast<double>(i) + 0.3);
+  for (int i = 0; i < kRounds; ++i) {
+    motion = factor.solve(rod.bendingMetric().cwiseProduct(motion));
+    motion /= rod.size(motion);
+  }
+  return motion;
+}
+
 // Downhill with the exact Hessian, shifted until it is positive definite.
 bool descendAt(const DiscreteRod& rod, const StretchModel& model, int most, double accuracy,
                DiscreteShape& shape, int& iterations) {
@@ -96,6 +108,17 @@ bool descendAt(const DiscreteRod& rod, const StretchModel& model, int most, doub
       if (share == 1.0 && shift <= kNeutral && rod.size(step) < accuracy) {
         rod.move(step, model, shape);
         return true;
+      }
+      if (share == 1.0 && rod.size(step) < 1e-3 * accuracy) {
+        if (factor.compute(hessian, rod.bendingMetric(), kNeutral) != 0) {
+          factor.compute(hessian, rod.bendingMetric(), shift);
+          step = softestMotion(factor, rod);
+          step *= 0.01 / rod.size(step);
+        }
+        rod.move(step, model, shape);
+        shift = 0.0;
+        moved = true;
+        continue;
       }
       DiscreteShape trial = shape;
       rod.move(step, model, trial);
