@@ -102,7 +102,7 @@ std::vector<int> DiscreteRod::turningUnknowns(std::size_t station) const {
   }
 }
 
-std::vector<DiscreteRod::Row> DiscreteRod::rows(const DiscreteShape& shape) const {
+std::vector<DiscreteRod::Row> DiscreteRod::rows(const DiscreteShape& shape, const RodModel& model) const {
   std::vector<Row> rows(static_cast<std::size_t>(raw_count_));
   const auto at = [&rows](int raw) -> Row& { return rows[static_cast<std::size_t>(raw)]; };
   for (std::size_t i : layout_.parents_first) {
@@ -136,7 +136,7 @@ std::vector<DiscreteRod::Row> DiscreteRod::rows(const DiscreteShape& shape) cons
         }
       }
     }
-    if (own.slide >= 0) at(raw + 6).emplace_back(own.slide, 1.0);
+    if (own.slide >= 0 && !model.hold_slides) at(raw + 6).emplace_back(own.slide, 1.0);
   }
   for (std::size_t i = 0; i < layout_.pieces.size(); ++i) {
     const int more = 3 * static_cast<int>(2 * layout_.pieces[i].segments() - 1);
@@ -186,7 +186,7 @@ void DiscreteRod::forEachSpring(const DiscreteShape& shape, Add add) const {
   }
 }
 
-DiscreteRod::Energy DiscreteRod::collect(const DiscreteShape& shape, const StretchModel& model,
+DiscreteRod::Energy DiscreteRod::collect(const DiscreteShape& shape, const RodModel& model,
                                          Assembler* assembler) const {
   Energy energy;
   for (std::size_t i = 0; i < layout_.pieces.size(); ++i) {
@@ -301,20 +301,24 @@ DiscreteRod::Energy DiscreteRod::collect(const DiscreteShape& shape, const Stret
   return energy;
 }
 
-DiscreteRod::Energy DiscreteRod::energy(const DiscreteShape& shape, const StretchModel& model) const {
+DiscreteRod::Energy DiscreteRod::energy(const DiscreteShape& shape, const RodModel& model) const {
   return collect(shape, model, nullptr);
 }
 
-DiscreteRod::Energy DiscreteRod::assemble(const DiscreteShape& shape, const StretchModel& model,
+DiscreteRod::Energy DiscreteRod::assemble(const DiscreteShape& shape, const RodModel& model,
                                           VectorXd& gradient, Eigen::SparseMatrix<double>& hessian) const {
-  Assembler assembler(rows(shape), raw_count_, count_);
+  Assembler assembler(rows(shape, model), raw_count_, count_);
   const Energy energy = collect(shape, model, &assembler);
   addChartCurvature(shape, assembler);
+  for (const StationUnknowns& own : unknown_) {
+    if (own.slide >= 0 && model.hold_slides)
+      assembler.addSecond(own.slide, own.slide, bending_metric_[own.slide]);
+  }
   assembler.take(gradient, hessian);
   return energy;
 }
 
-void DiscreteRod::predictForces(const std::vector<Row>& rows, const VectorXd& step, const StretchModel& model,
+void DiscreteRod::predictForces(const std::vector<Row>& rows, const VectorXd& step, const RodModel& model,
                                 DiscreteShape& shape) const {
   const auto motion = [&](int raw) {
     double value = 0.0;
@@ -346,8 +350,8 @@ void DiscreteRod::predictForces(const std::vector<Row>& rows, const VectorXd& st
   }
 }
 
-void DiscreteRod::move(const VectorXd& step, const StretchModel& model, DiscreteShape& shape) const {
-  predictForces(rows(shape), step, model, shape);
+void DiscreteRod::move(const VectorXd& step, const RodModel& model, DiscreteShape& shape) const {
+  predictForces(rows(shape, model), step, model, shape);
   for (std::size_t i = 0; i < layout_.stations.size(); ++i) {
     const StationUnknowns& own = unknown_[i];
     DiscreteShape::Station& at = shape.stations[i];

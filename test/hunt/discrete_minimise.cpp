@@ -35,6 +35,9 @@ class Factor {
   bool analysed_ = false;
 };
 
+// A sliding clip nearer than this share of its cable to what is next has left its room.
+constexpr double kNoRoom = 1e-3;
+
 // Small numbers in place of the least eigenvalue that rounding leaves undecided.
 constexpr double kNeutral = 1e-9;
 
@@ -46,7 +49,7 @@ Settling settle(const DiscreteRod& rod, DiscreteShape& shape) {
   Factor factor;
   VectorXd gradient;
   Matrix hessian;
-  StretchModel model;
+  RodModel model;
   model.given_force = true;
   // a neutral motion needs a shift, lest rounding is taken for a force along it
   for (double shift : {1e-12, 1e-9, 1e-6}) {
@@ -85,8 +88,8 @@ VectorXd softestMotion(const Factor& factor, const DiscreteRod& rod) {
 }
 
 // Downhill with the exact Hessian, shifted until it is positive definite.
-bool descendAt(const DiscreteRod& rod, const StretchModel& model, int most, double accuracy,
-               DiscreteShape& shape, int& iterations) {
+bool descendAt(const DiscreteRod& rod, const RodModel& model, int most, double accuracy, DiscreteShape& shape,
+               int& iterations) {
   constexpr double kFirstShift = 1e-3;
   Factor factor;
   VectorXd gradient;
@@ -115,7 +118,7 @@ bool descendAt(const DiscreteRod& rod, const StretchModel& model, int most, doub
           step = softestMotion(factor, rod);
           step *= 0.01 / rod.size(step);
         }
-        rod.move(step, model, shape);
+        rod.move(rod.largestShare(step, shape, 0.6, 0.15) * step, model, shape);
         shift = 0.0;
         moved = true;
         continue;
@@ -132,13 +135,13 @@ bool descendAt(const DiscreteRod& rod, const StretchModel& model, int most, doub
         shift = std::max(kFirstShift, 4.0 * shift);
       }
     }
-    if (!moved) return false;
+    if (!moved || rod.smallestRoom(shape) < kNoRoom) return false;
   }
   return false;
 }
 
 // Newton with the forces' own prediction, for the last small part of the way at a higher EA.
-bool convergeAt(const DiscreteRod& rod, StretchModel model, DiscreteShape& shape, int& iterations) {
+bool convergeAt(const DiscreteRod& rod, RodModel model, DiscreteShape& shape, int& iterations) {
   constexpr int kMost = 25;
   model.given_force = true;
   Factor factor;
@@ -172,8 +175,12 @@ Settling descend(const DiscreteRod& rod, DiscreteShape& shape) {
   VectorXd gradient;
   Matrix hessian;
   Factor factor;
-  StretchModel model;
+  RodModel model;
   model.cap = kFirstCap;
+  // what the start's own strain would do to sliding clips is none of the cable's doing
+  model.hold_slides = true;
+  descendAt(rod, model, 200, 1e-3, shape, result.iterations);
+  model.hold_slides = false;
   if (!descendAt(rod, model, 400, 1e-5, shape, result.iterations)) return result;
   double reached = kFirstCap, raise = kRaise;
   while (std::isfinite(reached)) {

@@ -143,7 +143,7 @@ void DiscreteRod::place(DiscreteShape& shape) const {
   }
 }
 
-double DiscreteRod::softened(const RodProperties& rod, double length, const StretchModel& model) const {
+double DiscreteRod::softened(const RodProperties& rod, double length, const RodModel& model) const {
   if (!std::isfinite(model.cap)) return 1.0;
   const double bending = std::min(rod.stiffness[4], rod.stiffness[5]) / (length * length);
   const double least = std::max(model.cap * bending, 30.0 * force_scale_);

@@ -12,14 +12,16 @@
 
 namespace cable_variation::hunt {
 
-/// How stretch and shear enter.
-struct StretchModel {
+/// What of the rod is changed on the way to its shape.
+struct RodModel {
   /// EA, GA are lowered in proportion to EA ≤ cap·EI/h², so that a slender rod can be found as a softer one
   /// first.
   double cap = std::numeric_limits<double>::infinity();
   /// The Hessian's geometric part from DiscreteShape::Piece::force, not from the strain at hand: Newton's
   /// method then needs as few steps for stiff rods as for soft ones (Magisano, Leonetti and Garcea 2017).
   bool given_force = false;
+  /// Sliding clips stay where they are on their cable.
+  bool hold_slides = false;
 };
 
 /// Energy, gradient and Hessian of a harness whose cables are discretised on a staggered grid, positions at
@@ -36,12 +38,12 @@ class DiscreteRod {
     double total() const { return elastic() + gravity + springs + loads; }
   };
 
-  Energy energy(const DiscreteShape& shape, const StretchModel& model = {}) const;
+  Energy energy(const DiscreteShape& shape, const RodModel& model = {}) const;
   /// Gradient, and the Hessian's lower triangle.
-  Energy assemble(const DiscreteShape& shape, const StretchModel& model, Eigen::VectorXd& gradient,
+  Energy assemble(const DiscreteShape& shape, const RodModel& model, Eigen::VectorXd& gradient,
                   Eigen::SparseMatrix<double>& hessian) const;
   /// Moves the shape; updates `force` by its first-order prediction.
-  void move(const Eigen::VectorXd& step, const StretchModel& model, DiscreteShape& shape) const;
+  void move(const Eigen::VectorXd& step, const RodModel& model, DiscreteShape& shape) const;
   /// Poses of stations from offsets, rotation vectors, hinge angles and parents.
   void place(DiscreteShape& shape) const;
 
@@ -83,17 +85,17 @@ class DiscreteRod {
 
   void number();
   void measure();
-  std::vector<Row> rows(const DiscreteShape& shape) const;
+  std::vector<Row> rows(const DiscreteShape& shape, const RodModel& model) const;
   Eigen::Quaterniond turned(const DiscreteShape& shape, std::size_t station,
                             const std::array<std::pair<int, double>, 2>& by) const;
   std::vector<int> turningUnknowns(std::size_t station) const;
   template <class Add>
   void forEachSpring(const DiscreteShape& shape, Add add) const;
-  Energy collect(const DiscreteShape& shape, const StretchModel& model, Assembler* assembler) const;
+  Energy collect(const DiscreteShape& shape, const RodModel& model, Assembler* assembler) const;
   void addChartCurvature(const DiscreteShape& shape, Assembler& assembler) const;
-  void predictForces(const std::vector<Row>& rows, const Eigen::VectorXd& step, const StretchModel& model,
+  void predictForces(const std::vector<Row>& rows, const Eigen::VectorXd& step, const RodModel& model,
                      DiscreteShape& shape) const;
-  double softened(const RodProperties& rod, double length, const StretchModel& model) const;
+  double softened(const RodProperties& rod, double length, const RodModel& model) const;
 
   int rawStation(std::size_t station) const { return static_cast<int>(7 * station); }
   int rawVertex(std::size_t piece, std::size_t k) const;
