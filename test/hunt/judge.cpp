@@ -85,6 +85,18 @@ bool confirmed(const DiscreteRod& rod, const DiscreteShape& shape) {
   return std::abs(coarse.total() - fine.total()) < 0.1 * scale;
 }
 
+// Where sliding clips are: with that as their start, a solver may find it.
+std::string slidTo(const DiscreteRod& rod, const DiscreteShape& shape) {
+  std::string text;
+  for (std::size_t i = 0; i < rod.layout().clip_station.size(); ++i) {
+    const std::size_t station = rod.layout().clip_station[i];
+    if (!rod.slides(station)) continue;
+    text +=
+        textOf(", '", rod.harness().clips[i].name, "' at ", 1e3 * shape.stations[station].arc_length, " mm");
+  }
+  return text;
+}
+
 // Not solved: is there a solution after all, and is the reason true?
 Judgement judgeFailure(const Harness& harness, const Equilibrium& answer, const JudgeOptions& options) {
   Judgement judgement;
@@ -101,7 +113,7 @@ Judgement judgeFailure(const Harness& harness, const Equilibrium& answer, const 
       return judgement;
     }
     judgement.verdict = Verdict::unsolved;
-    judgement.text += textOf(", ", found.energy.total(), " J");
+    judgement.text += textOf(", ", found.energy.total(), " J", slidTo(rod, *found.shape));
     return judgement;
   }
   judgement.verdict = Verdict::not_solvable;
