@@ -225,7 +225,7 @@ DiscreteRod::Energy DiscreteRod::collect(const DiscreteShape& shape, const RodMo
       const double share = piece.at[k + 1] - piece.at[k], middle = 0.5 * (piece.at[k] + piece.at[k + 1]);
       const double h = share * length;
       const RodProperties rod = profile.at(left + middle * length);
-      const double soft = softened(rod, h, model);
+      const double soft = softened(rod, i, share, model);
       const Vector3d from = shape.vertex(piece, i, k), to = shape.vertex(piece, i, k + 1);
       const StretchVector v(from, to, shape.pieces[i].segments[k]);
       const Vector3d stiffness = soft * rod.stiffness.head<3>();
@@ -345,7 +345,8 @@ void DiscreteRod::predictForces(const std::vector<Row>& rows, const VectorXd& st
       const double h = share * length;
       const Vector3d strain =
           (v.value + v.first() * moved) / h - v.value * share * longer / (h * h) - Vector3d::UnitX();
-      shape.pieces[i].force[k] = softened(rod, h, model) * rod.stiffness.head<3>().cwiseProduct(strain);
+      shape.pieces[i].force[k] =
+          softened(rod, i, share, model) * rod.stiffness.head<3>().cwiseProduct(strain);
     }
   }
 }

@@ -96,7 +96,11 @@ bool descendAt(const DiscreteRod& rod, const RodModel& model, int most, double a
   Matrix hessian;
   double shift = kFirstShift;
   for (int i = 0; i < most; ++i, ++iterations) {
-    const double energy = rod.assemble(shape, model, gradient, hessian).total();
+    const DiscreteRod::Energy terms = rod.assemble(shape, model, gradient, hessian);
+    const double energy = terms.total();
+    // what rounding leaves of a sum of large terms
+    const double noise =
+        1e-13 * (terms.elastic() + terms.springs + std::abs(terms.gravity) + std::abs(terms.loads));
     bool moved = false;
     for (int attempt = 0; attempt < 40 && !moved; ++attempt) {
       const int negative = factor.compute(hessian, rod.bendingMetric(), shift);
@@ -108,7 +112,9 @@ bool descendAt(const DiscreteRod& rod, const RodModel& model, int most, double a
       const double share = rod.largestShare(step, shape, 0.6, 0.15);
       step *= share;
       const double promised = gradient.dot(step);
-      if (share == 1.0 && shift <= kNeutral && rod.size(step) < accuracy) {
+      const bool arrived = share == 1.0 && rod.size(step) < accuracy;
+      // along a neutral motion there is no end of steps, and nothing to win
+      if (shift <= kNeutral && (arrived || std::abs(promised) < 1e-2 * noise)) {
         rod.move(step, model, shape);
         return true;
       }
@@ -125,8 +131,6 @@ bool descendAt(const DiscreteRod& rod, const RodModel& model, int most, double a
       }
       DiscreteShape trial = shape;
       rod.move(step, model, trial);
-      // what rounding leaves of an energy that is a difference of large terms
-      const double noise = 1e-13 * std::abs(energy) + 1e-16 * rod.forceScale();
       if (rod.energy(trial, model).total() <= energy + 1e-4 * promised + noise) {
         shape = std::move(trial);
         shift = shift < 1e-6 ? 0.0 : (share == 1.0 ? 0.1 : 0.3) * shift;

@@ -143,9 +143,13 @@ void DiscreteRod::place(DiscreteShape& shape) const {
   }
 }
 
-double DiscreteRod::softened(const RodProperties& rod, double length, const RodModel& model) const {
+double DiscreteRod::softened(const RodProperties& rod, std::size_t piece, double share,
+                             const RodModel& model) const {
   if (!std::isfinite(model.cap)) return 1.0;
-  const double bending = std::min(rod.stiffness[4], rod.stiffness[5]) / (length * length);
+  // the length before any sliding: else sliding would change the stiffness
+  const DiscretePiece& of = layout_.pieces[piece];
+  const double h = share * (layout_.stations[of.right].arc_length - layout_.stations[of.left].arc_length);
+  const double bending = std::min(rod.stiffness[4], rod.stiffness[5]) / (h * h);
   const double least = std::max(model.cap * bending, 30.0 * force_scale_);
   return std::min(1.0, least / rod.stiffness[0]);
 }

@@ -95,7 +95,7 @@ class DiscreteRod {
   void addChartCurvature(const DiscreteShape& shape, Assembler& assembler) const;
   void predictForces(const std::vector<Row>& rows, const Eigen::VectorXd& step, const RodModel& model,
                      DiscreteShape& shape) const;
-  double softened(const RodProperties& rod, double length, const RodModel& model) const;
+  double softened(const RodProperties& rod, std::size_t piece, double share, const RodModel& model) const;
 
   int rawStation(std::size_t station) const { return static_cast<int>(7 * station); }
   int rawVertex(std::size_t piece, std::size_t k) const;

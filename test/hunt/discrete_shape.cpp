@@ -22,7 +22,9 @@ DiscreteShape onHalved(const DiscreteLayout& layout, const DiscreteShape& shape)
       // quarter points of the way between middles; half points where the neighbour is a station
       nodes.segments.push_back(own.slerp(first ? 0.5 : 0.25, before));
       nodes.segments.push_back(own.slerp(last ? 0.5 : 0.25, after));
-      nodes.force.insert(nodes.force.end(), 2, shape.pieces[i].force[k]);
+      for (std::size_t half = 2 * k; half < 2 * k + 2; ++half) {
+        nodes.force.push_back(nodes.segments[half].conjugate() * (own * shape.pieces[i].force[k]));
+      }
     }
     finer.pieces.push_back(std::move(nodes));
   }

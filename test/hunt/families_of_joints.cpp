@@ -30,7 +30,8 @@ Joint::Type randomJoint(Draw& draw) {
 }
 
 // A tree of `count` cables along random routes; each child leaves an earlier one, and is held somewhere.
-Harness tree(Draw& draw, std::size_t count, double softest) {
+// Clips that slide are as frequent as `sliding`.
+Harness tree(Draw& draw, std::size_t count, double softest, double sliding) {
   Harness harness;
   harness.gravity = randomGravity(draw);
   const double tightness = draw.between(0.7, 0.95), crooked = draw.between(0.05, 0.4);
@@ -70,7 +71,8 @@ Harness tree(Draw& draw, std::size_t count, double softest) {
     if (kind > 0.5) {
       const double s = draw.between(0.3, 0.7) * length;
       const Pose pose = disturbed(draw, routes[i].at(s), crooked);
-      harness.clips.push_back(randomClip(draw, numbered("clip", i), i, s, harness.cables[i], pose, true));
+      harness.clips.push_back(
+          randomClip(draw, numbered("clip", i), i, s, harness.cables[i], pose, draw.chance(sliding)));
     }
   }
   return harness;
@@ -78,11 +80,11 @@ Harness tree(Draw& draw, std::size_t count, double softest) {
 
 }  // namespace
 
-Harness makeBranches(Draw& draw) { return tree(draw, draw.count(2, 4), 0.1); }
+Harness makeBranches(Draw& draw) { return tree(draw, draw.count(2, 4), 0.1, 0.7); }
 
-Harness makeStiffSoft(Draw& draw) { return tree(draw, 2, draw.logBetween(1e-4, 1e-2)); }
+Harness makeStiffSoft(Draw& draw) { return tree(draw, 2, draw.logBetween(1e-4, 1e-2), 0.7); }
 
-Harness makeBig(Draw& draw) { return tree(draw, draw.count(10, 14), 0.05); }
+Harness makeBig(Draw& draw) { return tree(draw, draw.count(10, 14), 0.2, 0.15); }
 
 Harness makeChain(Draw& draw) {
   const Section section = bundleSection(draw);

@@ -14,7 +14,7 @@ const std::vector<Family>& families() {
       {"branches", makeBranches},          {"loop", makeLoop},
       {"flipped_ends", makeFlippedEnds},   {"twist_hint", makeTwistHint},
       {"stiff_soft", makeStiffSoft},       {"pitchfork", makePitchfork},
-      {"long_slack", makeLongSlack},       {"big", makeBig},
+      {"long_slack", makeLongSlack},       {"big", makeBig, 4},
       {"long_soft", makeLongSoft},         {"slender", makeSlender}};
   return list;
 }

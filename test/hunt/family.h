@@ -12,6 +12,7 @@ namespace cable_variation::hunt {
 struct Family {
   std::string name;
   Harness (*make)(Draw&);
+  std::size_t share = 1;  ///< one is tried for so many of the other families'
 };
 
 /// All twenty, in the order of the table in doc/hunt.md.

@@ -201,9 +201,18 @@ Independent checkAgainstOwn(const Harness& harness, const Equilibrium& answer, c
   const double on_coarse = smallestEigenvalue(own.rod, own.shape),
                on_fine = smallestEigenvalue(finer, settled);
   judgement.eigenvalue_own = on_fine + (on_fine - on_coarse) / 3.0;
-  // clear of the grid's own error and of neutral motions
+  // clear of the grid's own error, of neutral motions, and of what rounding leaves of a slender rod's
+  // stiffness
+  double slenderness = 0.0;
+  for (const Cable& cable : harness.cables) {
+    const Section& section = cable.sections.front().section;
+    slenderness = std::max(slenderness,
+                           section.EA * cable.length * cable.length / std::min(section.EI_y, section.EI_z));
+  }
+  const double count = static_cast<double>(options.segments);
   const double unit = bendingScale(harness) / (length * length);
-  if (on_fine < -1e-3 * unit && judgement.eigenvalue_own < -1e-3 * unit &&
+  const double unclear = (1e-3 + 1e-15 * slenderness * count * count) * unit;
+  if (on_fine < -unclear && judgement.eigenvalue_own < -unclear &&
       std::abs(on_fine - on_coarse) < 0.5 * std::abs(on_fine)) {
     judgement.verdict = Verdict::saddle;
     judgement.text = textOf("smallest eigenvalue ", on_fine, " N/m (on half the grid ", on_coarse,
@@ -217,6 +226,7 @@ void checkLowest(const Harness& harness, const Independent& own, const JudgeOpti
   const bool hinted = std::any_of(harness.cables.begin(), harness.cables.end(),
                                   [](const Cable& cable) { return cable.twist || !cable.via.empty(); });
   if (hinted || options.starts == 0) return;
+  judgement.started = true;
   const LowestStart found = simpleStarts(own.rod, options, options.starts);
   if (!found.shape) return;
   const DiscreteRod::Energy here = own.rod.energy(own.shape);
@@ -270,12 +280,14 @@ Judgement judge(const Harness& harness, const JudgeOptions& options) {
   refuse(Verdict::balance_violated, checkBalance(harness, answer), judgement);
   refuse(Verdict::holds_violated, checkHolds(harness, answer), judgement);
   if (judgement.verdict != Verdict::right) return judgement;
+  const double solve_time = judgement.solve_time;
   Independent own = checkAgainstOwn(harness, answer, options, judgement);
-  if (judgement.undecided) {
+  if (judgement.undecided || judgement.verdict != Verdict::right) {
+    // before anything is said against an answer, a finer grid is asked
     JudgeOptions finer = options;
     finer.segments *= 4;
-    judgement.undecided = false;
-    judgement.text.clear();
+    judgement = Judgement();
+    judgement.solve_time = solve_time;
     own = checkAgainstOwn(harness, answer, finer, judgement);
   }
   if (judgement.verdict != Verdict::right) return judgement;

@@ -30,6 +30,7 @@ struct Judgement {
   Verdict verdict = Verdict::right;
   std::string text;         ///< figures, for a person
   double solve_time = 0.0;  ///< [s]
+  bool started = false;     ///< simple starts looked for a lower shape
   bool undecided =
       false;  ///< the independent rod did not settle near the answer: equations and balance alone count
   double eigenvalue_own = 0.0;  ///< smallest, of the independent rod [N/m]

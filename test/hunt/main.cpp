@@ -16,21 +16,24 @@ namespace {
 using namespace cable_variation::hunt;
 
 constexpr const char* kUsage =
-    "usage: hunt [--count N] [--seed S] [--family F]... [--first I] [--starts-every K] [--accuracy M]\n"
-    "            [--threads T] [--output FOLDER] [--slender] [--all] [SCENE]...\n"
+    "usage: hunt [--count N] [--seed S] [--family F]... [--first I] [--starts-every K] [--starts N] "
+    "[--accuracy M]\n"
+    "            [--threads T] [--output FOLDER] [--slender] [--all] [--check] [SCENE]...\n"
     "  --count N         harnesses of each family (25), or of each row with --slender (30)\n"
-    "  --starts-every K  look for lower shapes by six simple starts in every K-th solved harness (1); 0: in "
+    "  --starts-every K  look for lower shapes by simple starts in every K-th solved harness (1); 0: in "
     "none\n"
+    "  --starts N        how many simple starts (6)\n"
     "  --output FOLDER   writes each harness that failed there, as a scene file\n"
     "  --slender         the slenderness table instead of families\n"
     "  --all             tells of what is right, too\n"
+    "  --check           exit code 1 when more is wrong than what is aimed at (doc/hunt.md)\n"
     "  SCENE             judges the harness of that scene file instead; no package:// addresses\n";
 
 struct Arguments {
   HuntOptions options;
   std::string output;
   std::vector<std::string> scenes;
-  bool slender = false, all = false, counted = false;
+  bool slender = false, all = false, check = false, counted = false;
 };
 
 Arguments parse(int argc, char** argv) {
@@ -39,6 +42,10 @@ Arguments parse(int argc, char** argv) {
     const std::string key = argv[i];
     if (key == "--slender") {
       arguments.slender = true;
+      continue;
+    }
+    if (key == "--check") {
+      arguments.check = true;
       continue;
     }
     if (key == "--all") {
@@ -65,6 +72,8 @@ Arguments parse(int argc, char** argv) {
       arguments.options.starts_every = number();
     } else if (key == "--accuracy") {
       arguments.options.judge.accuracy = std::stod(value);
+    } else if (key == "--starts") {
+      arguments.options.judge.starts = static_cast<int>(number());
     } else if (key == "--threads") {
       arguments.options.threads = static_cast<unsigned>(number());
     } else if (key == "--output") {
@@ -83,7 +92,7 @@ void tell(const Hunted& hunted, const Arguments& arguments) {
                            toString(judgement.verdict) +
                            (judgement.text.empty() ? "" : ": " + judgement.text);
   if (!good || judgement.undecided || arguments.all) std::cerr << text << '\n';
-  if (good || arguments.output.empty()) return;
+  if ((good && !judgement.undecided) || arguments.output.empty()) return;
   std::string name = toString(judgement.verdict);
   name += "_" + hunted.family + "_" + std::to_string(arguments.options.seed) + "_" +
           std::to_string(hunted.number);
@@ -133,7 +142,10 @@ int main(int argc, char** argv) {
       tallies = hunt(arguments.options, each);
     }
     std::cout << tableOf(tallies);
-    return EXIT_SUCCESS;
+    if (!arguments.check) return EXIT_SUCCESS;
+    const std::vector<std::string> missed = missedTargets(sum(tallies));
+    for (const std::string& target : missed) std::cout << target << '\n';
+    return missed.empty() ? EXIT_SUCCESS : EXIT_FAILURE;
   } catch (const std::exception& error) {
     std::cerr << "hunt: " << error.what() << '\n' << kUsage;
     return 2;

@@ -54,7 +54,8 @@ std::vector<Tally> hunt(const HuntOptions& options, const std::function<void(con
     bool wanted = options.only.empty();
     for (const std::string& name : options.only) wanted = wanted || &familyOf(name) == &family;
     if (!wanted) continue;
-    for (std::size_t i = 0; i < options.count; ++i) {
+    const std::size_t count = options.only.empty() ? options.count / family.share : options.count;
+    for (std::size_t i = 0; i < count; ++i) {
       const std::uint64_t number = options.first + i;
       const bool starts = options.starts_every > 0 && i % options.starts_every == 0;
       tasks.push_back({tallies.size(), number,

@@ -10,7 +10,7 @@
 namespace cable_variation::hunt {
 
 struct HuntOptions {
-  std::size_t count = 25;  ///< per family
+  std::size_t count = 25;  ///< per family; divided by Family::share unless in `only`
   std::uint64_t seed = 1;
   std::vector<std::string> only;  ///< families by name; empty: all
   std::size_t first = 0;          ///< number of the first harness of each

@@ -1,5 +1,6 @@
 #include <hunt/tally.h>
 
+#include <cmath>
 #include <cstdio>
 #include <numeric>
 
@@ -27,6 +28,7 @@ std::string row(const Tally& tally) {
 void Tally::add(const Judgement& judgement) {
   ++count[static_cast<std::size_t>(judgement.verdict)];
   if (judgement.undecided) ++undecided;
+  if (judgement.started) ++started;
   solve_time += judgement.solve_time;
 }
 
@@ -49,9 +51,25 @@ Tally sum(const std::vector<Tally>& tallies) {
   for (const Tally& tally : tallies) {
     for (std::size_t i = 0; i < total.count.size(); ++i) total.count[i] += tally.count[i];
     total.undecided += tally.undecided;
+    total.started += tally.started;
     total.solve_time += tally.solve_time;
   }
   return total;
+}
+
+std::vector<std::string> missedTargets(const Tally& all) {
+  std::vector<std::string> missed;
+  const auto expect = [&missed](const char* what, int count, double most) {
+    const int allowed = static_cast<int>(std::ceil(most));
+    if (count <= allowed) return;
+    missed.push_back(std::string(what) + ": " + std::to_string(count) + ", expected at most " +
+                     std::to_string(allowed));
+  };
+  expect("wrong", all.wrong() + all.of(Verdict::alternative_lower), 0.0);
+  expect("wrong reason", all.of(Verdict::wrong_reason), 0.0);
+  expect("not converged though solvable", all.of(Verdict::unsolved), 3.0 / 3820.0 * all.all());
+  expect("lower missed", all.of(Verdict::lower_missed), 2.0 / 336.0 * all.started);
+  return missed;
 }
 
 std::string tableOf(const std::vector<Tally>& tallies) {
