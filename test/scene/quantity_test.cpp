@@ -94,7 +94,19 @@ TEST(Quantity, refusesWhatIsNoFiniteNumber) {
 TEST(Quantity, refusesUnitsItDoesNotKnow) {
   EXPECT_NE(refusal("5 1", quantity::number), "");
   EXPECT_EQ(refusal("5 mn", quantity::length),
-            "unknown unit 'mn' in '5 mn'; expected a length, e.g. '312 mm'; did you mean 'mm'?");
+            "unknown unit 'mn' in '5 mn'; expected a length, e.g. '312 mm'; did you mean 'mm'? known: m, cm, "
+            "mm, um, "
+            "in, ft");
+  EXPECT_EQ(
+      refusal("5 NM", quantity::moment),
+      "unknown unit 'NM' in '5 NM'; expected a moment, e.g. '0.1 N m'; did you mean 'N m'? known: N m, N mm, "
+      "kN m, mN m");
+  EXPECT_EQ(refusal("5 parsec", quantity::force),
+            "unknown unit 'parsec' in '5 parsec'; expected a force, e.g. '10 N'; known: N, kN, mN, lbf");
+  EXPECT_EQ(refusal("5,3 m", quantity::length),
+            "',3 m' is no unit in '5,3 m' (a number has a decimal point, and no comma); expected a length, "
+            "e.g. '312 "
+            "mm'; known: m, cm, mm, um, in, ft");
   for (const char* text :
        {"5 parsec", "5 m;", "5 m 6", "5 5", "5,3 m", "1.2.3", "5 m^", "5 m/", "5 m-", "5 1", "5 11/m"}) {
     EXPECT_NE(refusal(text, quantity::length), "") << text;

@@ -3,15 +3,9 @@
 #include <limits>
 #include <string>
 
-namespace cable_variation {
+#include <cable_variation/scene/unit.h>
 
-/// Exponents of the base units kg, m, s and rad.
-struct Dimension {
-  int kilogram = 0;
-  int metre = 0;
-  int second = 0;
-  int radian = 0;
-};
+namespace cable_variation {
 
 /// A kind of quantity that a scene file asks for, and how to speak of it.
 struct Quantity {
@@ -19,6 +13,7 @@ struct Quantity {
   const char* unit;     ///< SI, of a bare number
   const char* example;  ///< "312 mm"
   Dimension dimension;
+  const char* units = "";  ///< usual ones, parted by ", "
 };
 
 namespace quantity {
@@ -41,10 +36,19 @@ struct Range {
   std::string text(const char* unit) const;
 };
 
-/// The SI value of a text such as "312 mm", "0.1 N mm/rad" or "4" (SI already).
+/// A number as it stands in a text.
+struct QuantityText {
+  double value = 0.0;     ///< SI
+  bool has_unit = false;  ///< else the number is taken to be SI already
+};
+
+/// The value of a text such as "312 mm", "0.1 Nmm/rad" or "4" (SI already).
 /// Throws std::invalid_argument that says what is there and what was expected:
 /// no number, not finite, an unknown unit, a unit of another dimension. Radians
 /// may be left out or added where other units fix the dimension (N m, N m/rad).
+QuantityText readQuantity(const std::string& text, const Quantity& quantity);
+
+/// Its value alone.
 double parseQuantity(const std::string& text, const Quantity& quantity);
 
 /// `value` for a message: short, without a unit.
