@@ -7,6 +7,7 @@ import sys
 import rosgraph
 import rospy
 from cable_variation.msg import Status
+from cable_variation.srv import GetScene
 
 UNITS = {'deg': math.pi / 180, 'mm': 1e-3, 'rad': 1.0, 'm': 1.0, '': 1.0}
 
@@ -71,8 +72,18 @@ def call(node, service, kind, **request):
     except (rospy.ROSException, rospy.ServiceException) as error:
         sys.exit('%s: %s' % (name, error))
     if answer.status.code != Status.SUCCESS:
+        for warning in getattr(answer, 'warnings', []):
+            print('warning: ' + warning, file=sys.stderr)
         sys.exit('%s: status %d: %s' % (name, answer.status.code, answer.status.message))
     return answer
+
+
+def scene_of(node):
+    """The scene in force; what its file says but hardly means is printed as warnings."""
+    scene = call(node, 'get_scene', GetScene)
+    for warning in scene.warnings:
+        print('warning: ' + warning, file=sys.stderr)
+    return scene
 
 
 def run(main):

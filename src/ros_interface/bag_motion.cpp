@@ -1,8 +1,6 @@
 #include <ros_interface/bag_motion.h>
 
-#include <iomanip>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 
 #include <geometry_msgs/PoseStamped.h>
@@ -12,12 +10,14 @@
 #include <rosbag/view.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include <cable_variation/scene/motion_samples.h>
 #include <ros_interface/message_conversion.h>
 
 namespace cable_variation_ros {
 
+using cable_variation::Motion;
+using cable_variation::MotionSamples;
 using cable_variation::Pose;
-using cable_variation::TimedPose;
 
 namespace {
 
@@ -53,15 +53,15 @@ class Recording {
     }
   }
 
-  std::vector<TimedPose> finish() const {
-    if (samples_.empty()) {
+  void finish(Motion& motion) const {
+    if (poses_ == 0) {
       throw std::invalid_argument("no frame '" + frame_ + "'; frames there: " + listOf(others_));
     }
-    return samples_;
+    samples_.finish(motion);
   }
 
  private:
-  std::string where() const { return "pose " + std::to_string(samples_.size() + 1); }
+  std::string where() const { return "pose " + std::to_string(poses_ + 1); }
 
   void addTransform(const geometry_msgs::TransformStamped& transform) {
     if (withoutSlash(transform.child_frame_id) == frame_) {
@@ -77,33 +77,28 @@ class Recording {
                                   "', the frame of the component's parent");
     }
     const ros::Time stamp = header.stamp.isZero() ? recorded_ : header.stamp;
-    if (samples_.empty()) start_ = stamp;
-    const double time = (stamp - start_).toSec();
-    if (!samples_.empty() && time <= samples_.back().time) {
-      const Pose& last = samples_.back().pose;
-      const bool repeated = time == samples_.back().time && last.position == pose.position &&
-                            last.orientation.coeffs() == pose.orientation.coeffs();
-      if (repeated) return;
-      std::ostringstream text;
-      text << std::setprecision(9) << where() << " is at " << time << " s, not after the one before at "
-           << samples_.back().time << " s";
-      throw std::invalid_argument(text.str());
+    if (poses_ == 0) start_ = stamp;
+    try {
+      samples_.add((stamp - start_).toSec(), pose);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(where() + ": " + error.what());
     }
-    samples_.push_back({time, pose});
+    ++poses_;
   }
 
   std::string frame_;
   std::string parent_;
   ros::Time recorded_;
   ros::Time start_;
-  std::vector<TimedPose> samples_;
+  MotionSamples samples_;
+  std::size_t poses_ = 0;
   std::set<std::string> others_;
 };
 
 }  // namespace
 
-std::vector<TimedPose> readBagMotion(const std::string& path, const std::string& topic,
-                                     const std::string& frame, const std::string& parent) {
+void readBagMotion(const std::string& path, const std::string& topic, const std::string& frame,
+                   const std::string& parent, Motion& motion) {
   const std::string name = topic.empty() ? "/tf" : topic;
   try {
     rosbag::Bag bag(path, rosbag::bagmode::Read);
@@ -118,7 +113,7 @@ std::vector<TimedPose> readBagMotion(const std::string& path, const std::string&
     }
     Recording recording(frame, parent);
     for (const rosbag::MessageInstance& message : view) recording.add(message);
-    return recording.finish();
+    recording.finish(motion);
   } catch (const rosbag::BagUnindexedException&) {
     throw std::invalid_argument("bag '" + path + "': has no index, as when a recording ends early; " +
                                 "rosbag reindex makes one");

@@ -39,6 +39,7 @@ CableSolver::CableSolver(ros::NodeHandle node, const CableSolverParameters& para
                                             const std::vector<std::string>&) { return ros::ok(); });
                           }),
       simulate_variation_action_(node_, simulation_runner_) {
+  logWarnings(context_.design().scene);
   context_.onChange([this] { show(); });
   show();
   if (parameters.live) {

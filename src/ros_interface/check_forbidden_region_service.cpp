@@ -1,6 +1,5 @@
 #include <ros_interface/check_forbidden_region_service.h>
 
-#include <filesystem>
 #include <numeric>
 #include <set>
 
@@ -30,10 +29,11 @@ using cable_variation::TriangleMesh;
 
 namespace {
 
+constexpr std::uintmax_t kMostBytes = 2'000'000'000;  // of a region or mesh
+
 void requireFile(const std::string& path, const std::string& what) {
-  std::error_code ignored;
-  if (std::filesystem::is_regular_file(path, ignored)) return;
-  throw RequestError(Status::NOT_FOUND, what + ": no file '" + path + "'");
+  const std::string obstacle = cable_variation::obstacleTo(path, kMostBytes);
+  if (!obstacle.empty()) throw RequestError(Status::NOT_FOUND, what + ": '" + path + "' " + obstacle);
 }
 
 ForbiddenRegion loadRegion(const std::string& address, const OutputDirectory& output) {

@@ -1,5 +1,7 @@
 #include <ros_interface/load_scene_service.h>
 
+#include <utility>
+
 #include <ros/node_handle.h>
 
 #include <ros_interface/names.h>
@@ -14,7 +16,12 @@ LoadSceneService::LoadSceneService(ros::NodeHandle& node, SolverContext& context
 
 bool LoadSceneService::handle(cable_variation::LoadSceneRequest& request,
                               cable_variation::LoadSceneResponse& response) {
-  response.status = runRequest([&] { context_.load(loadScene(request.scene)); });
+  response.status = runRequest([&] {
+    cable_variation::Scene scene = loadScene(request.scene);
+    response.warnings = warningsOf(scene);
+    logWarnings(scene);
+    context_.load(std::move(scene));
+  });
   return true;
 }
 

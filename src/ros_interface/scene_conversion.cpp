@@ -6,6 +6,7 @@
 #include <ros_interface/enum_names.h>
 #include <ros_interface/measure_conversion.h>
 #include <ros_interface/message_conversion.h>
+#include <ros_interface/scene_loading.h>
 
 namespace cable_variation_ros {
 
@@ -217,6 +218,7 @@ GetSceneResponse toResponse(const Design& design, const ComponentPoses& moved) {
   }
   for (const Measure& measure : scene.measures) response.measures.push_back(toInfo(measure, scene));
   for (const Motion& motion : scene.motions) response.motions.push_back(toInfo(motion));
+  response.warnings = warningsOf(scene);
   return response;
 }
 

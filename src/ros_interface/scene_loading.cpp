@@ -2,10 +2,14 @@
 
 #include <filesystem>
 
+#include <ros/console.h>
 #include <ros/package.h>
 
 #include <cable_variation/Status.h>
 
+#include <cable_variation/scene/motion_samples.h>
+#include <cable_variation/scene/plausibility.h>
+#include <cable_variation/scene/resource_address.h>
 #include <cable_variation/scene/scene_reader.h>
 #include <ros_interface/bag_motion.h>
 #include <ros_interface/request_status.h>
@@ -21,11 +25,7 @@ using cable_variation::Status;
 
 namespace {
 
-bool startsWith(const std::string& text, const std::string& start) {
-  return text.compare(0, start.size(), start) == 0;
-}
-
-bool isBag(const std::string& file) { return std::filesystem::path(file).extension() == ".bag"; }
+constexpr std::uintmax_t kMostBytes = 16'000'000;  // of a scene file
 
 std::string parentOf(const Scene& scene, const std::string& name) {
   for (const Component& component : scene.components) {
@@ -38,45 +38,58 @@ std::string parentOf(const Scene& scene, const std::string& name) {
 
 std::string findPackage(const std::string& package) { return ros::package::getPath(package); }
 
-std::string resolveAddress(const std::string& address) {
-  const std::string kPackage = "package://";
-  const std::string kFile = "file://";
-  if (startsWith(address, kPackage)) {
-    const std::size_t slash = address.find('/', kPackage.size());
-    const std::string package = address.substr(kPackage.size(), slash - kPackage.size());
-    const std::string folder = findPackage(package);
-    if (folder.empty()) {
-      throw RequestError(Status::NOT_FOUND, "'" + address + "': no ROS package named '" + package + "'");
-    }
-    return slash == std::string::npos ? folder : folder + address.substr(slash);
-  }
-  if (startsWith(address, kFile)) return address.substr(kFile.size());
+std::string resolveAddress(const std::string& address, std::uintmax_t most_bytes) {
   if (address.find("://") != std::string::npos) {
-    throw RequestError(Status::NOT_FOUND, "'" + address + "': expected a path, file:// or package://");
+    try {
+      return cable_variation::localPath(address, findPackage, most_bytes);
+    } catch (const std::invalid_argument& error) {
+      throw RequestError(Status::NOT_FOUND, error.what());
+    }
+  }
+  const std::string obstacle = cable_variation::obstacleTo(address, most_bytes);
+  if (!obstacle.empty()) {
+    std::error_code ignored;
+    const std::filesystem::path where = std::filesystem::absolute(address, ignored);
+    throw RequestError(Status::NOT_FOUND, "'" + where.string() + "' " + obstacle);
   }
   return address;
 }
 
 Scene loadScene(const std::string& address) {
-  const std::string path = resolveAddress(address);
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored)) {
-    const std::filesystem::path where = std::filesystem::absolute(path, ignored);
-    throw RequestError(Status::NOT_FOUND, "scene '" + address + "': no file '" + where.string() + "'");
+  std::string path;
+  try {
+    path = resolveAddress(address, kMostBytes);
+  } catch (const RequestError& error) {
+    throw RequestError(error.code(), "scene '" + address + "': " + error.what());
   }
   Scene scene = cable_variation::readScene(path, findPackage);
   std::vector<SceneFault> faults;
   for (Motion& motion : scene.motions) {
-    if (!motion.samples.empty() || !isBag(motion.path)) continue;
+    if (!cable_variation::isBag(motion.file)) continue;
+    const std::string who = "motion '" + motion.name + "': ";
     try {
-      motion.samples =
-          readBagMotion(motion.path, motion.topic, motion.frame, parentOf(scene, motion.component));
+      readBagMotion(motion.path, motion.topic, motion.frame, parentOf(scene, motion.component), motion);
     } catch (const std::exception& error) {
-      faults.push_back({path, 0, "motion '" + motion.name + "': " + error.what()});
+      faults.push_back({path, motion.line, who + error.what()});
+      continue;
+    }
+    for (const std::string& remark :
+         {cable_variation::noteOnReplaced(motion), cable_variation::slipOf(motion, scene)}) {
+      if (!remark.empty()) scene.warnings.push_back({path, motion.line, who + remark});
     }
   }
   if (!faults.empty()) throw SceneError(faults);
   return scene;
+}
+
+std::vector<std::string> warningsOf(const Scene& scene) {
+  std::vector<std::string> texts;
+  for (const SceneFault& warning : scene.warnings) texts.push_back(toString(warning));
+  return texts;
+}
+
+void logWarnings(const Scene& scene) {
+  for (const std::string& warning : warningsOf(scene)) ROS_WARN("%s", warning.c_str());
 }
 
 }  // namespace cable_variation_ros

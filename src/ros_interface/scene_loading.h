@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
+#include <cable_variation/scene/regular_file.h>
 #include <cable_variation/scene/scene.h>
 
 namespace cable_variation_ros {
@@ -10,11 +13,18 @@ namespace cable_variation_ros {
 std::string findPackage(const std::string& package);
 
 /// The file that a path, a file:// or a package:// address names. Throws
-/// RequestError (NOT_FOUND) for an unknown package or an address of another kind.
-std::string resolveAddress(const std::string& address);
+/// RequestError (NOT_FOUND) for an unknown package, an address of another kind, and what is not a file of at
+/// most `most_bytes` that can be read.
+std::string resolveAddress(const std::string& address, std::uintmax_t most_bytes = cable_variation::kAnySize);
 
 /// Reads a scene and the bags its motions are recorded in. Throws RequestError
 /// (NOT_FOUND) if there is no such file and SceneError for what is wrong with it.
 cable_variation::Scene loadScene(const std::string& address);
+
+/// What the scene says but hardly means, each as "FILE:LINE: MESSAGE".
+std::vector<std::string> warningsOf(const cable_variation::Scene& scene);
+
+/// Each of them as a warning in the log.
+void logWarnings(const cable_variation::Scene& scene);
 
 }  // namespace cable_variation_ros

@@ -2,6 +2,7 @@
 
 #include <ros/node_handle.h>
 
+#include <ros_interface/scene_loading.h>
 #include <ros_interface/solver_context.h>
 
 namespace cable_variation_ros {
@@ -11,6 +12,7 @@ SolverDiagnostics::SolverDiagnostics(ros::NodeHandle& node, const SolverContext&
   updater_.setHardwareID("none");
   updater_.add("equilibrium",
                [this](diagnostic_updater::DiagnosticStatusWrapper& status) { report(status); });
+  updater_.add("scene", [this](diagnostic_updater::DiagnosticStatusWrapper& status) { reportScene(status); });
   timer_ = node.createWallTimer(ros::WallDuration(1.0),
                                 [this](const ros::WallTimerEvent&) { updater_.force_update(); });
 }
@@ -41,6 +43,18 @@ void SolverDiagnostics::report(diagnostic_updater::DiagnosticStatusWrapper& stat
   status.add("energy [J]", equilibrium.energy.total());
   status.add("solve time [s]", equilibrium.solve_time);
   status.add("alternatives", equilibrium.alternatives.size());
+}
+
+void SolverDiagnostics::reportScene(diagnostic_updater::DiagnosticStatusWrapper& status) const {
+  const std::vector<std::string> warnings = warningsOf(context_.design().scene);
+  if (warnings.empty()) {
+    status.summary(diagnostic_msgs::DiagnosticStatus::OK, "nothing in it looks like a slip");
+  } else {
+    status.summary(diagnostic_msgs::DiagnosticStatus::WARN,
+                   warnings.front() + (warnings.size() > 1 ? " (and others)" : ""));
+  }
+  for (std::size_t i = 0; i < warnings.size(); ++i)
+    status.add("warning " + std::to_string(i + 1), warnings[i]);
 }
 
 }  // namespace cable_variation_ros

@@ -11,7 +11,7 @@ namespace cable_variation_ros {
 
 class SolverContext;
 
-/// How the last solve went, on /diagnostics: once a second and whenever the
+/// How the last solve went, and what the scene hardly means, on /diagnostics: once a second and whenever the
 /// status changes.
 class SolverDiagnostics {
  public:
@@ -21,6 +21,7 @@ class SolverDiagnostics {
 
  private:
   void report(diagnostic_updater::DiagnosticStatusWrapper& status) const;
+  void reportScene(diagnostic_updater::DiagnosticStatusWrapper& status) const;
 
   const SolverContext& context_;
   diagnostic_updater::Updater updater_;

@@ -1,7 +1,10 @@
 #!/usr/bin/env python3
 """cable_solver: its services, asked well and badly, and its topics."""
 import math
+import os
+import shutil
 import sys
+import tempfile
 
 import rospy
 import rostest
@@ -182,6 +185,48 @@ class CableSolverTest(NodeTest):
         values = {each.key: each.value for each in status.values}
         self.assertGreater(float(values['smallest eigenvalue [N/m]']), 0)
         self.assertIn('residual [N]', values)
+
+    def scene_status(self):
+        array = rospy.wait_for_message('/diagnostics', DiagnosticArray, timeout=self.TIMEOUT)
+        found = [each for each in array.status if each.name == 'cable_solver: scene']
+        return found[0] if found else None
+
+    def test_what_a_scene_hardly_means_is_told(self):
+        self.assertEqual(self.get_scene().warnings, [])
+        self.eventually(lambda: getattr(self.scene_status(), 'level', -1) == 0, 'nothing odd in the scene')
+        answer = self.load_scene(DATA + 'slips.yaml')
+        self.assertSuccess(answer.status)
+        self.assertEqual(len(answer.warnings), 2)
+        for warning, parts in zip(answer.warnings, (("slips.yaml:10: design variable 'a_ry', tolerance", 'in deg?'),
+                                                    ("slips.yaml:11: design variable 'b_z', tolerance", 'in mm?'))):
+            for part in parts:
+                self.assertIn(part, warning)
+        self.assertEqual(self.get_scene().warnings, answer.warnings)
+        status = self.eventually(lambda: getattr(self.scene_status(), 'level', -1) == 1 and self.scene_status(),
+                                 'a warning')
+        self.assertIn('in deg?', status.message)
+        self.assertEqual([each.value for each in status.values], answer.warnings)
+
+    def test_what_a_scene_hardly_means_is_told_where_it_fails(self):
+        answer = self.load_scene(DATA + 'out_of_reach.yaml')
+        self.assertRefused(answer.status, Status.NOT_CONVERGED)
+        self.assertEqual(len(answer.warnings), 1)
+        self.assertIn("clip 'B': it is 250 m from clip 'A'", answer.warnings[0])
+        self.assertEqual(self.get_scene().warnings, [])
+
+    def test_scenes_that_are_no_files_are_refused_at_once(self):
+        folder = tempfile.mkdtemp()
+        pipe = os.path.join(folder, 'pipe.yaml')
+        os.mkfifo(pipe)
+        try:
+            for address in (pipe, 'file://' + pipe):
+                self.assertRefused(self.load_scene(address).status, Status.NOT_FOUND, 'is a named pipe')
+            self.assertRefused(self.load_scene(folder).status, Status.NOT_FOUND, 'is a folder')
+            self.assertRefused(self.load_scene('/dev/zero').status, Status.NOT_FOUND, 'is a device')
+            self.assertRefused(self.load_scene(DATA + 'nowhere.yaml').status, Status.NOT_FOUND, 'does not exist')
+        finally:
+            shutil.rmtree(folder)
+        self.assertSuccess(self.solve().status)
 
 
 if __name__ == '__main__':

@@ -55,7 +55,9 @@ class BagMotion : public testing::Test {
   }
 
   std::vector<TimedPose> read(const std::string& topic = "/tf") {
-    return readBagMotion(path_, topic, "sled", "world");
+    motion_ = {};
+    readBagMotion(path_, topic, "sled", "world", motion_);
+    return motion_.samples;
   }
 
   void expectRefused(const std::string& part, const std::string& topic = "/tf") {
@@ -69,6 +71,7 @@ class BagMotion : public testing::Test {
   }
 
   std::string path_;
+  cable_variation::Motion motion_;
 };
 
 TEST_F(BagMotion, TakesTheFrameFromTfWithTimesFromZero) {
@@ -130,12 +133,16 @@ TEST_F(BagMotion, RefusesAnotherParent) {
   expectRefused("pose 1 is in frame 'map', expected 'world'");
 }
 
-TEST_F(BagMotion, RefusesTimesThatDoNotIncrease) {
+TEST_F(BagMotion, TakesTheLastOfOtherPosesAtTheSameTime) {
   write([](rosbag::Bag& bag) {
     bag.write("/tf", ros::Time(7), tf({transform(5.0, "world", "sled", 0.1)}));
     bag.write("/tf", ros::Time(8), tf({transform(5.0, "world", "sled", 0.2)}));
+    bag.write("/tf", ros::Time(9), tf({transform(5.5, "world", "sled", 0.3)}));
   });
-  expectRefused("pose 2 is at 0 s, not after the one before at 0 s");
+  const std::vector<TimedPose> samples = read();
+  ASSERT_EQ(samples.size(), 2u);
+  EXPECT_EQ(samples[0].pose.position.x(), 0.2);
+  EXPECT_EQ(motion_.replaced_poses, 1u);
 }
 
 TEST_F(BagMotion, RefusesTimesThatGoBack) {
@@ -144,7 +151,7 @@ TEST_F(BagMotion, RefusesTimesThatGoBack) {
     bag.write("/tf", ros::Time(8), tf({transform(5.5, "world", "sled", 0.2)}));
     bag.write("/tf", ros::Time(9), tf({transform(5.25, "world", "sled", 0.2)}));
   });
-  expectRefused("pose 3 is at 0.25 s, not after the one before at 0.5 s");
+  expectRefused("pose 3: time 0.250000 s is before 0.500000 s of the pose before");
 }
 
 TEST_F(BagMotion, RefusesPosesThatAreNone) {
@@ -217,8 +224,11 @@ TEST_F(BagMotion, ARecordingThatWasCutOffSaysHowToRepairIt) {
 
 TEST(EngineRun, IsTheSameAsABagAndAsATrajectory) {
   const std::string stem = std::string(CABLE_VARIATION_SOURCE_DIR) + "/config/engine_run";
-  const std::vector<TimedPose> bag = readBagMotion(stem + ".bag", "/tf", "engine", "engine_bay");
-  const std::vector<TimedPose> trajectory = cable_variation::readTum(stem + ".tum");
+  cable_variation::Motion from_bag, from_text;
+  readBagMotion(stem + ".bag", "/tf", "engine", "engine_bay", from_bag);
+  readTum(stem + ".tum", from_text);
+  const std::vector<TimedPose>& bag = from_bag.samples;
+  const std::vector<TimedPose>& trajectory = from_text.samples;
   ASSERT_EQ(bag.size(), trajectory.size());
   for (std::size_t k = 0; k < bag.size(); ++k) {
     ASSERT_NEAR(bag[k].time, trajectory[k].time, 2e-9) << k;  // stamps count nanoseconds

@@ -136,7 +136,7 @@ TEST(SceneErrors, aFileThatIsNotThere) {
     readScene("/nowhere/scene.yaml", findTestPackage);
     FAIL() << "the scene was read";
   } catch (const SceneError& error) {
-    EXPECT_EQ(std::string(error.what()), "/nowhere/scene.yaml: the file cannot be read");
+    EXPECT_EQ(std::string(error.what()), "/nowhere/scene.yaml: the file does not exist");
   }
 }
 

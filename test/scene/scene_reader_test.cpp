@@ -364,5 +364,41 @@ TEST(SceneReader, shippedScenesAreSound) {
   EXPECT_GT(scenes, 0U);
 }
 
+TEST(SceneReader, motionsAreFoundWhateverTheCaseOfTheirExtension) {
+  for (const char* const extension : {".TUM", ".Txt", ".tum"}) {
+    const TemporaryFile motion(std::string("ride") + extension,
+                               {"0 0 0 0 0 0 0 1", "1 0 0 0 0 0 0 1", "1 1 0 0 0 0 0 1"});
+    const TemporaryFile file("ride.YAML",
+                             {"components:", "  - {name: sled}", "motions:",
+                              "  - {name: ride, component: sled, file: \"file://" + motion.path() + "\"}"});
+    const Scene scene = readScene(file.path(), findTestPackage);
+    EXPECT_EQ(scene.motions[0].samples.size(), 2U);
+    ASSERT_EQ(scene.warnings.size(), 1U);
+    EXPECT_EQ(toString(scene.warnings[0]),
+              file.path() +
+                  ":4: motion 'ride', file: 1 of its poses has the same time as the next one, and another "
+                  "place; of 2 times the last pose counts");
+  }
+  for (const char* const extension : {".bag", ".BAG"})
+    EXPECT_TRUE(isBag(std::string("package://a/b") + extension));
+}
+
+TEST(SceneReader, aMeshIsShownAsItIsRead) {
+  const std::string folder = std::filesystem::temp_directory_path().string();
+  const std::string name = std::to_string(getpid()) +
+                           "_50% of M\xc3\xbc"
+                           "ller's part #2.STL";
+  std::filesystem::copy_file(findTestPackage("test_data") + "/meshes/tetrahedron.stl", folder + "/" + name);
+  const std::string url =
+      "file://" + folder + "/" + std::to_string(getpid()) + "_50%25%20of%20M%C3%BCller%27s%20part%20%232.STL";
+  for (const std::string& address : {"file://" + folder + "/" + name, url}) {
+    const TemporaryFile file("part.yaml", {"components:", "  - {name: part, mesh: \"" + address + "\"}"});
+    const Scene scene = readScene(file.path(), findTestPackage);
+    EXPECT_EQ(scene.components[0].visuals[0].mesh_resource, url);
+    EXPECT_FALSE(scene.components[0].visuals[0].mesh->triangles.empty());
+  }
+  std::filesystem::remove(folder + "/" + name);
+}
+
 }  // namespace
 }  // namespace cable_variation

@@ -16,14 +16,17 @@ namespace {
 
 using Eigen::Vector3d;
 
-std::shared_ptr<const TriangleMesh> load(const std::string& address, const Vector3d& scale) {
-  return std::make_shared<TriangleMesh>(readMesh(localPath(address, findTestPackage), scale));
+LoadedMesh load(const std::string& address, const Vector3d& scale) {
+  const ResourceFile file = findResource(address, findTestPackage);
+  return {std::make_shared<TriangleMesh>(readMesh(file.path, scale)), file.url};
 }
 
 std::vector<Visual> readArm(const std::map<std::string, JointPosition>& positions) {
-  std::vector<std::string> faults;
-  const auto visuals = readUrdf(findTestPackage("test_data") + "/urdf/arm.urdf", positions, load, faults);
+  std::vector<std::string> faults, warnings;
+  const auto visuals =
+      readUrdf(findTestPackage("test_data") + "/urdf/arm.urdf", positions, load, faults, warnings);
   EXPECT_EQ(faults, std::vector<std::string>());
+  EXPECT_EQ(warnings, std::vector<std::string>());
   return visuals;
 }
 
@@ -78,16 +81,19 @@ TEST(Urdf, jointsAtGivenPositions) {
 }
 
 TEST(Urdf, parserMessagesAreFaultsAndNotPrinted) {
-  std::vector<std::string> faults;
+  std::vector<std::string> faults, warnings;
   testing::internal::CaptureStderr();
-  readUrdf(findTestPackage("test_data") + "/urdf/not_a_robot.urdf", {}, load, faults);
+  const TemporaryFile file(
+      "shapeless.urdf", {"<robot name=\"x\"><link name=\"a\"><visual><geometry/></visual></link></robot>"});
+  readUrdf(file.path(), {}, load, faults, warnings);
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
-  EXPECT_EQ(faults, std::vector<std::string>{"link 'a' is not unique."});
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_NE(faults[0].find("Geometry tag contains no child element"), std::string::npos) << faults[0];
 }
 
 TEST(Urdf, aFileThatIsNoXml) {
-  std::vector<std::string> faults;
-  readUrdf(findTestPackage("test_data") + "/samples.txt", {}, load, faults);
+  std::vector<std::string> faults, warnings;
+  readUrdf(findTestPackage("test_data") + "/samples.txt", {}, load, faults, warnings);
   EXPECT_EQ(faults.size(), 1U);
 }
 

@@ -14,15 +14,16 @@ namespace {
 
 using Eigen::Vector3d;
 
-std::shared_ptr<const TriangleMesh> loadMesh(const std::string& address, const Vector3d& scale,
-                                             ReadContext& context) {
+constexpr std::uintmax_t kMostMeshBytes = 2'000'000'000;
+
+LoadedMesh loadMesh(const std::string& address, const Vector3d& scale, ReadContext& context) {
   if (!scale.allFinite() || (scale.array() == 0.0).any()) {
     throw std::invalid_argument("mesh '" + address + "' has a scale with a factor of 0");
   }
-  const std::string path = localPath(address, context.find_package);
-  std::shared_ptr<const TriangleMesh>& mesh = context.meshes[path];
-  if (!mesh) mesh = std::make_shared<TriangleMesh>(readMesh(path));
-  return scale == Vector3d::Ones() ? mesh : std::make_shared<TriangleMesh>(scaled(*mesh, scale));
+  const ResourceFile file = findResource(address, context.find_package, kMostMeshBytes);
+  std::shared_ptr<const TriangleMesh>& mesh = context.meshes[file.path];
+  if (!mesh) mesh = std::make_shared<TriangleMesh>(readMesh(file.path));
+  return {scale == Vector3d::Ones() ? mesh : std::make_shared<TriangleMesh>(scaled(*mesh, scale)), file.url};
 }
 
 Vector3d readScale(const YamlCursor& cursor) {
@@ -50,13 +51,15 @@ void readMeshVisual(const YamlCursor& item, const YamlCursor& mesh, Component& c
                     ReadContext& context) {
   Visual visual;
   visual.name = component.name;
-  visual.mesh_resource = mesh.text();
+  const std::string address = mesh.text();
   const std::size_t before = context.faults.count();
   if (const auto scale = item.find("scale")) visual.mesh_scale = readScale(*scale);
   if (const auto color = item.find("color")) visual.color = readColor(*color);
-  if (visual.mesh_resource.empty() || context.faults.count() > before) return;
+  if (address.empty() || context.faults.count() > before) return;
   try {
-    visual.mesh = loadMesh(visual.mesh_resource, visual.mesh_scale, context);
+    const LoadedMesh loaded = loadMesh(address, visual.mesh_scale, context);
+    visual.mesh = loaded.mesh;
+    visual.mesh_resource = loaded.url;
     component.visuals.push_back(std::move(visual));
   } catch (const std::invalid_argument& error) {
     mesh.fail(error.what());
@@ -86,17 +89,22 @@ void readUrdfVisuals(const YamlCursor& item, const YamlCursor& urdf, Component& 
   const std::size_t before = context.faults.count();
   if (const auto given = item.find("joint_positions")) {
     if (!given->isMap()) given->fail("expected a map from joint names to positions");
-    for (const auto& [joint, value] : given->entries()) positions[joint] = readJointPosition(value);
+    for (const auto& [joint, value] : given->entries()) {
+      if (!positions.emplace(joint, readJointPosition(value)).second) {
+        value.fail("there is a position of joint '" + joint + "' already");
+      }
+    }
   }
   const std::string address = urdf.text();
   if (address.empty() || context.faults.count() > before) return;
   try {
-    std::vector<std::string> faults;
+    std::vector<std::string> faults, warnings;
     const MeshLoader load = [&](const std::string& mesh, const Vector3d& scale) {
       return loadMesh(mesh, scale, context);
     };
-    component.visuals = readUrdf(localPath(address, context.find_package), positions, load, faults);
+    component.visuals = readUrdf(localPath(address, context.find_package), positions, load, faults, warnings);
     for (const std::string& fault : faults) urdf.fail("'" + address + "': " + fault);
+    for (const std::string& warning : warnings) urdf.warn("'" + address + "': " + warning);
   } catch (const std::invalid_argument& error) {
     urdf.fail(error.what());
   }

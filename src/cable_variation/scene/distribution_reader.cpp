@@ -12,6 +12,7 @@
 namespace cable_variation {
 namespace {
 
+constexpr std::uintmax_t kMostBytes = 1'000'000'000;  // of a file of samples
 constexpr double kUsualSigma = 3.0;
 constexpr Range kShare{0.0, 1.0, false};
 constexpr Range kWeibullShape{0.5, 50.0, false};     // beyond, the mean or the width lose their meaning
@@ -83,10 +84,12 @@ void readEmpirical(const Reading& r) {
   const std::string text = address->text();
   if (text.empty()) return;
   try {
-    const std::string path = localPath(text, r.context.find_package);
+    const std::string path = localPath(text, r.context.find_package, kMostBytes);
+    const std::string mark = "\xef\xbb\xbf";  // of UTF-8
     std::ifstream file(path);
     std::string line;
     for (int number = 1; std::getline(file, line); ++number) {
+      if (number == 1 && line.compare(0, mark.size(), mark) == 0) line.erase(0, mark.size());
       line.erase(std::min(line.find('#'), line.size()));
       const std::size_t first = line.find_first_not_of(" \t\r");
       if (first == std::string::npos) continue;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include <cable_variation/scene/scene_reader.h>
+
 namespace cable_variation {
 namespace {
 
@@ -31,12 +33,7 @@ std::array<std::size_t, 3> unlikeness(const std::string& a, const std::string& b
           std::max(a.size(), b.size()) - std::min(a.size(), b.size())};
 }
 
-}  // namespace
-
-void FaultList::add(int line, const std::string& message) { faults_.push_back({file_, line, message}); }
-
-std::vector<SceneFault> FaultList::sorted() const {
-  std::vector<SceneFault> faults = faults_;
+std::vector<SceneFault> byLine(std::vector<SceneFault> faults) {
   std::stable_sort(faults.begin(), faults.end(),
                    [](const SceneFault& a, const SceneFault& b) { return a.line < b.line; });
   faults.erase(std::unique(faults.begin(), faults.end(),
@@ -46,6 +43,12 @@ std::vector<SceneFault> FaultList::sorted() const {
                faults.end());
   return faults;
 }
+
+}  // namespace
+
+std::vector<SceneFault> FaultList::sorted() const { return byLine(faults_); }
+
+std::vector<SceneFault> FaultList::sortedWarnings() const { return byLine(warnings_); }
 
 std::string didYouMean(const std::string& name, const std::vector<std::string>& candidates) {
   constexpr std::size_t kLongest = 64;  // of a name worth comparing
@@ -72,15 +75,14 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
+std::string toString(const SceneFault& fault) {
+  return fault.file + (fault.line > 0 ? ':' + std::to_string(fault.line) : "") + ": " + fault.message;
+}
+
 SceneError::SceneError(std::vector<SceneFault> faults)
     : std::invalid_argument([&faults] {
         std::string text;
-        for (const SceneFault& fault : faults) {
-          if (!text.empty()) text += '\n';
-          text += fault.file;
-          if (fault.line > 0) text += ':' + std::to_string(fault.line);
-          text += ": " + fault.message;
-        }
+        for (const SceneFault& fault : faults) text += (text.empty() ? "" : "\n") + toString(fault);
         return text;
       }()),
       faults_(std::move(faults)) {}

@@ -3,24 +3,27 @@
 #include <string>
 #include <vector>
 
-#include <cable_variation/scene/scene_reader.h>
+#include <cable_variation/scene/scene_fault.h>
 
 namespace cable_variation {
 
-/// The faults met while one scene file is read.
+/// The faults met while one scene file is read, and what is possible but hardly meant.
 class FaultList {
  public:
   explicit FaultList(std::string file) : file_(std::move(file)) {}
 
-  void add(int line, const std::string& message);
+  void add(int line, const std::string& message) { faults_.push_back({file_, line, message}); }
   std::size_t count() const { return faults_.size(); }
+  void warn(int line, const std::string& message) { warnings_.push_back({file_, line, message}); }
 
   /// By line, each once.
   std::vector<SceneFault> sorted() const;
+  std::vector<SceneFault> sortedWarnings() const;
 
  private:
   std::string file_;
   std::vector<SceneFault> faults_;
+  std::vector<SceneFault> warnings_;
 };
 
 /// "; did you mean 'length'?" for the candidate nearest to `name`; else, if there

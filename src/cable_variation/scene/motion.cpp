@@ -7,8 +7,14 @@
 #include <sstream>
 #include <stdexcept>
 
+#include <cable_variation/scene/motion_samples.h>
+#include <cable_variation/scene/regular_file.h>
+#include <cable_variation/scene/resource_address.h>
+
 namespace cable_variation {
 namespace {
+
+constexpr std::uintmax_t kMostBytes = 1'000'000'000;
 
 TimedPose readLine(const std::string& line) {
   constexpr double kNormTolerance = 1e-3;
@@ -22,6 +28,10 @@ TimedPose readLine(const std::string& line) {
     std::istringstream stream(word);
     stream.imbue(std::locale::classic());
     if (!(stream >> number) || !stream.eof() || !std::isfinite(number)) {
+      if (word.find(',') != std::string::npos) {
+        throw std::invalid_argument(
+            "found '" + word + "'; expected numbers parted by blanks, with a decimal point and no comma");
+      }
       throw std::invalid_argument("found '" + word + "'; expected a finite number");
     }
   }
@@ -57,30 +67,32 @@ Pose poseAt(const Motion& motion, double time) {
           a.pose.orientation.slerp(t, b.pose.orientation)};
 }
 
-std::vector<TimedPose> readTum(const std::string& path) {
+bool isBag(const std::string& file) { return extensionOf(file) == ".bag"; }
+
+void readTum(const std::string& path, Motion& motion) {
+  const std::string mark = "\xef\xbb\xbf";  // of UTF-8
+  const std::string obstacle = obstacleTo(path, kMostBytes);
+  if (!obstacle.empty()) throw std::invalid_argument(path + ": " + obstacle);
   std::ifstream file(path);
-  if (!file) throw std::invalid_argument(path + ": cannot be read");
-  std::vector<TimedPose> samples;
+  MotionSamples samples;
   std::string line;
   for (int number = 1; std::getline(file, line); ++number) {
+    if (number == 1 && line.compare(0, mark.size(), mark) == 0) line.erase(0, mark.size());
     line.erase(std::min(line.find('#'), line.size()));
     if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
     try {
       const TimedPose sample = readLine(line);
-      if (!samples.empty() && !(sample.time > samples.back().time)) {
-        throw std::invalid_argument("time " + std::to_string(sample.time) + " s is not after " +
-                                    std::to_string(samples.back().time) + " s of the pose before");
-      }
-      samples.push_back(sample);
+      samples.add(sample.time, sample.pose);
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument(path + ":" + std::to_string(number) + ": " + error.what());
     }
   }
-  if (file.bad()) throw std::invalid_argument(path + ": cannot be read");  // a folder, say
-  if (samples.empty()) throw std::invalid_argument(path + ": it holds no pose");
-  const double start = samples.front().time;
-  for (TimedPose& sample : samples) sample.time -= start;
-  return samples;
+  if (file.bad()) throw std::invalid_argument(path + ": cannot be read");
+  try {
+    samples.finish(motion);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(path + ": " + error.what());
+  }
 }
 
 }  // namespace cable_variation

@@ -22,6 +22,8 @@ struct Motion {
   std::string topic;  ///< of a bag: a pose topic, or /tf
   std::string frame;  ///< of a bag, on /tf: the child frame to look for; the component's name if not given
   std::vector<TimedPose> samples;  ///< by increasing time; empty until loaded (bags are read by the ROS side)
+  std::size_t replaced_poses = 0;  ///< of the file, by another pose at the same time
+  int line = 0;                    ///< of the scene file
 
   double duration() const { return samples.empty() ? 0.0 : samples.back().time; }
 };
@@ -30,10 +32,14 @@ struct Motion {
 /// orientation. Throws std::invalid_argument if nothing is loaded.
 Pose poseAt(const Motion& motion, double time);
 
-/// Reads a TUM trajectory: lines `time tx ty tz qx qy qz qw`, # starts a comment.
-/// Times are shifted to start at 0. Throws std::invalid_argument with file and
-/// line: numbers missing, not finite, times that do not increase, zero quaternion,
-/// a norm further than 1e-3 from 1.
-std::vector<TimedPose> readTum(const std::string& path);
+/// Whether a motion's file is a bag, by its name.
+bool isBag(const std::string& file);
+
+/// Reads a TUM trajectory into a motion's samples: lines `time tx ty tz qx qy qz qw`, # starts a comment.
+/// Times are shifted to start at 0; of poses at the same time the last one counts.
+/// Throws std::invalid_argument with file and line: numbers missing, not finite,
+/// with commas, a time before that of the line before, zero quaternion, a norm further than
+/// 1e-3 from 1; and for what is no file, or has more than a gigabyte.
+void readTum(const std::string& path, Motion& motion);
 
 }  // namespace cable_variation

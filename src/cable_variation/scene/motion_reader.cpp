@@ -1,6 +1,6 @@
-#include <filesystem>
 #include <stdexcept>
 
+#include <cable_variation/scene/motion_samples.h>
 #include <cable_variation/scene/read_context.h>
 #include <cable_variation/scene/resource_address.h>
 
@@ -9,6 +9,7 @@ namespace {
 
 void readMotion(const YamlCursor& item, Motion& motion, const ReadContext& context) {
   if (!item.checkKeys({"name", "component", "file", "topic", "frame"})) return;
+  motion.line = item.line();
   const std::size_t component = context.components.find(item, "component");
   if (component != NameTable::npos) motion.component = context.components.name(component);
   const auto file = item.require("file");
@@ -16,8 +17,8 @@ void readMotion(const YamlCursor& item, Motion& motion, const ReadContext& conte
   motion.file = file->text();
   if (motion.file.empty()) return;
 
-  const std::string extension = std::filesystem::path(motion.file).extension().string();
-  const bool is_bag = extension == ".bag";
+  const std::string extension = extensionOf(motion.file);
+  const bool is_bag = isBag(motion.file);
   if (!is_bag && extension != ".tum" && extension != ".txt") {
     file->fail("found '" + motion.file + "'; expected a .tum, .txt or .bag file");
     return;
@@ -31,7 +32,9 @@ void readMotion(const YamlCursor& item, Motion& motion, const ReadContext& conte
   }
   try {
     motion.path = localPath(motion.file, context.find_package);
-    if (!is_bag) motion.samples = readTum(motion.path);
+    if (!is_bag) readTum(motion.path, motion);
+    const std::string note = noteOnReplaced(motion);
+    if (!note.empty()) file->warn(note);
   } catch (const std::invalid_argument& error) {
     file->fail(error.what());
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <cable_variation/scene/scene.h>
+#include <cable_variation/scene/scene_reader.h>
 #include <cable_variation/scene/yaml_cursor.h>
 
 namespace cable_variation {

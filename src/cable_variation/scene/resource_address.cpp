@@ -1,40 +1,136 @@
 #include <cable_variation/scene/resource_address.h>
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 
 namespace cable_variation {
+namespace {
 
-std::string localPath(const std::string& address, const PackageFinder& find_package) {
-  const std::string package_scheme = "package://";
-  const std::string file_scheme = "file://";
-  std::string path;
-  if (address.compare(0, package_scheme.size(), package_scheme) == 0) {
-    const std::size_t slash = address.find('/', package_scheme.size());
-    const std::string package = address.substr(package_scheme.size(), slash - package_scheme.size());
-    if (package.empty() || slash == std::string::npos) {
+const std::string kPackageScheme = "package://";
+const std::string kFileScheme = "file://";
+
+bool startsWith(const std::string& text, const std::string& start) {
+  return text.compare(0, start.size(), start) == 0;
+}
+
+int hexDigit(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  return -1;
+}
+
+// %XX as the byte that it stands for; none if one of them is no escape, or that of the byte 0.
+std::optional<std::string> unescaped(const std::string& text) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '%') {
+      result += text[i];
+      continue;
+    }
+    const int high = i + 2 < text.size() ? hexDigit(text[i + 1]) : -1;
+    const int low = high >= 0 ? hexDigit(text[i + 2]) : -1;
+    if (low < 0 || high * 16 + low == 0) return {};
+    result += static_cast<char>(high * 16 + low);
+    i += 2;
+  }
+  return result;
+}
+
+std::string escaped(const std::string& path) {
+  const std::string hex = "0123456789ABCDEF";
+  std::string result;
+  for (const char c : path) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool plain =
+        byte < 0x80 && (std::isalnum(byte) != 0 || std::string("/-_.~+,@").find(c) != std::string::npos);
+    if (plain) {
+      result += c;
+    } else {
+      result += {'%', hex[byte / 16], hex[byte % 16]};
+    }
+  }
+  return result;
+}
+
+// The place that an address names: a package and its folder (or none, of file://), and the path below.
+struct Place {
+  std::string package;
+  std::string folder;
+  std::string below;  // starts with /
+};
+
+Place placeOf(const std::string& address, const PackageFinder& find_package) {
+  Place place;
+  if (startsWith(address, kPackageScheme)) {
+    const std::size_t slash = std::min(address.find('/', kPackageScheme.size()), address.size());
+    place.package = address.substr(kPackageScheme.size(), slash - kPackageScheme.size());
+    place.below = address.substr(slash);
+    if (place.package.empty() || place.below.size() < 2) {
       throw std::invalid_argument("'" + address + "' is incomplete; expected package://NAME/PATH");
     }
-    const std::string folder = find_package ? find_package(package) : std::string();
-    if (folder.empty())
-      throw std::invalid_argument("package '" + package + "' of '" + address + "' was not found");
-    path = folder + address.substr(slash);
-  } else if (address.compare(0, file_scheme.size(), file_scheme) == 0) {
-    path = address.substr(file_scheme.size());
-    if (path.empty() || path.front() != '/') {
+    if (find_package) place.folder = find_package(place.package);
+    if (place.folder.empty()) {
+      throw std::invalid_argument("package '" + place.package + "' of '" + address + "' was not found");
+    }
+  } else if (startsWith(address, kFileScheme)) {
+    place.below = address.substr(kFileScheme.size());
+    if (place.below.empty() || place.below.front() != '/') {
       throw std::invalid_argument("'" + address + "' is no absolute path; expected file:///PATH");
     }
   } else {
     throw std::invalid_argument("found '" + address +
                                 "'; expected an address that starts with package:// or file://");
   }
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) {
-    throw std::invalid_argument(
-        "'" + address + "' does not exist" +
-        (path == address.substr(file_scheme.size()) ? "" : " (looked for " + path + ")"));
+  return place;
+}
+
+std::string normal(const std::string& path) {
+  return std::filesystem::path(path).lexically_normal().string();
+}
+
+std::string urlOf(const Place& place, const std::string& path) {
+  const std::string start = normal(place.folder + "/");
+  const bool in_package = !place.package.empty() && startsWith(path, start);
+  return in_package && escaped(place.folder) == place.folder
+             ? kPackageScheme + place.package + "/" + escaped(path.substr(start.size()))
+             : kFileScheme + escaped(path);
+}
+
+}  // namespace
+
+ResourceFile findResource(const std::string& address, const PackageFinder& find_package,
+                          std::uintmax_t most_bytes) {
+  const Place place = placeOf(address, find_package);
+  const auto pathOf = [&](const std::string& below) { return normal(place.folder + below); };
+  const auto isThere = [](const std::string& path) {
+    std::error_code error;
+    return std::filesystem::exists(path, error);
+  };
+  const auto decoded = unescaped(place.below);
+  const bool as_url = decoded && isThere(pathOf(*decoded));
+  const std::string path = pathOf(as_url ? *decoded : place.below);
+  const std::string obstacle = obstacleTo(path, most_bytes);
+  if (!obstacle.empty()) {
+    throw std::invalid_argument("'" + address + "' " + obstacle +
+                                (kFileScheme + path == address ? "" : " (looked for " + path + ")"));
   }
-  return path;
+  return {path, urlOf(place, path)};
+}
+
+std::string localPath(const std::string& address, const PackageFinder& find_package,
+                      std::uintmax_t most_bytes) {
+  return findResource(address, find_package, most_bytes).path;
+}
+
+std::string extensionOf(const std::string& address) {
+  std::string extension = std::filesystem::path(address).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
 }
 
 }  // namespace cable_variation

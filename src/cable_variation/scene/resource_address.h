@@ -2,12 +2,32 @@
 
 #include <string>
 
+#include <cable_variation/scene/regular_file.h>
 #include <cable_variation/scene/scene_reader.h>
 
 namespace cable_variation {
 
-/// The local path of a package:// or file:// address. Throws
-/// std::invalid_argument: another scheme, no such package, no such file.
-std::string localPath(const std::string& address, const PackageFinder& find_package);
+/// A file that a package:// or file:// address names.
+struct ResourceFile {
+  std::string path;  ///< local
+  /// The same file as a URL whose special characters are escaped, which is how RViz reads addresses:
+  /// in its package if the package's own path is plain, else by file://.
+  std::string url;
+};
+
+/// Finds the file of an address. An address is a URL, as for RViz: %20 stands for a
+/// blank, and .. is resolved in the text. One that names no file like that is taken
+/// as it is written, so that 'my part.stl' and '50% off#2.stl' may be written plainly.
+/// Throws std::invalid_argument: another scheme, no such package, or nothing there that
+/// can be read (obstacleTo()).
+ResourceFile findResource(const std::string& address, const PackageFinder& find_package,
+                          std::uintmax_t most_bytes = kAnySize);
+
+/// Its path alone.
+std::string localPath(const std::string& address, const PackageFinder& find_package,
+                      std::uintmax_t most_bytes = kAnySize);
+
+/// The extension of an address or path in small letters, with its dot; empty: none.
+std::string extensionOf(const std::string& address);
 
 }  // namespace cable_variation

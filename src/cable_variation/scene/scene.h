@@ -11,6 +11,7 @@
 #include <cable_variation/math/pose.h>
 #include <cable_variation/scene/measure.h>
 #include <cable_variation/scene/motion.h>
+#include <cable_variation/scene/scene_fault.h>
 #include <cable_variation/scene/tolerance_region.h>
 
 namespace cable_variation {
@@ -111,6 +112,7 @@ struct Scene {
   std::vector<Correlation> correlations;
   std::vector<Measure> measures;
   std::vector<Motion> motions;
+  std::vector<SceneFault> warnings;  ///< what is hardly meant like that: most often a unit that was left out
 };
 
 /// Poses of components in the world that differ from the scene's own (moved by tf or a motion).

@@ -1,15 +1,17 @@
 #include <cable_variation/scene/scene_reader.h>
 
-#include <filesystem>
-#include <fstream>
-#include <sstream>
+#include <cstdint>
 
+#include <cable_variation/scene/plausibility.h>
 #include <cable_variation/scene/read_context.h>
+#include <cable_variation/scene/regular_file.h>
+#include <cable_variation/scene/yaml_document.h>
 
 namespace cable_variation {
 namespace {
 
 constexpr Range kAccuracy{1e-6, 1e-2, false};  // [m]
+constexpr std::uintmax_t kMostBytes = 16'000'000;
 
 // The line of the thing that a harness's fault begins with: "clip 'NAME' ...".
 int lineOf(const std::string& message, const ReadContext& context) {
@@ -74,38 +76,30 @@ void checkHarness(ReadContext& context) {
   }
 }
 
-std::string readText(const std::string& path, FaultList& faults) {
-  std::error_code error;
-  std::ifstream file(path, std::ios::binary);
-  if (!std::filesystem::is_regular_file(path, error) || !file) {
-    faults.add(0, "the file cannot be read");
-    return {};
-  }
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 }  // namespace
 
 Scene readScene(const std::string& path, const PackageFinder& find_package) {
   ReadContext context(path, find_package);
-  const std::string text = readText(path, context.faults);
+  YAML::Node root;
+  std::string text;
+  try {
+    text = readWhole(path, kMostBytes);
+  } catch (const std::invalid_argument& error) {
+    context.faults.add(0, std::string("the file ") + error.what());
+  }
   if (context.faults.count() == 0) {
-    try {
-      const YAML::Node root = YAML::Load(text);
-      if (root.IsMap()) {
-        readParts(YamlCursor(root, root.Mark().line + 1, "", context.faults), context);
-      } else {
-        context.faults.add(root.IsNull() ? 0 : 1,
-                           "the file is no scene; expected a map with components, cables, clips");
-      }
-    } catch (const YAML::Exception& error) {
-      context.faults.add(error.mark.line + 1, "not valid YAML: " + error.msg);
+    root = readYamlDocument(text, context.faults);
+    if (root.IsMap()) {
+      readParts(YamlCursor(root, root.Mark().line + 1, "", context.faults), context);
+    } else if (context.faults.count() == 0) {
+      context.faults.add(root.IsNull() ? 0 : 1,
+                         "the file is no scene; expected a map with components, cables, clips");
     }
   }
   if (context.faults.count() == 0) checkHarness(context);
   if (context.faults.count() > 0) throw SceneError(context.faults.sorted());
+  warnOfSlips(YamlCursor(root, root.Mark().line + 1, "", context.faults), context.scene);
+  context.scene.warnings = context.faults.sortedWarnings();
   return std::move(context.scene);
 }
 

@@ -1,11 +1,9 @@
 #include <cable_variation/scene/urdf_reader.h>
 
 #include <cmath>
-#include <fstream>
 #include <mutex>
-#include <set>
-#include <sstream>
 #include <stdexcept>
+#include <thread>
 
 #include <console_bridge/console.h>
 #include <urdf_model/model.h>
@@ -14,11 +12,22 @@
 #include <cable_variation/geometry/primitives.h>
 #include <cable_variation/scene/fault_list.h>
 #include <cable_variation/scene/quantity.h>
+#include <cable_variation/scene/regular_file.h>
+#include <cable_variation/scene/urdf_structure.h>
 
 namespace cable_variation {
 namespace {
 
-// Keeps what the URDF parser says while it lives, instead of printing it.
+constexpr std::uintmax_t kMostBytes = 64'000'000;
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
+    text.replace(at, from.size(), to);
+  }
+  return text;
+}
+
+// Keeps what the URDF parser says in this thread while it lives, instead of printing it.
 class ParserMessages : public console_bridge::OutputHandler {
  public:
   ParserMessages() : lock_(mutex()) { console_bridge::useOutputHandler(this); }
@@ -27,7 +36,8 @@ class ParserMessages : public console_bridge::OutputHandler {
   ParserMessages& operator=(const ParserMessages&) = delete;
 
   void log(const std::string& text, console_bridge::LogLevel level, const char*, int) override {
-    if (level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR) errors_.push_back(text);
+    const bool own = std::this_thread::get_id() == thread_;  // tf and others log this way too
+    if (own && level >= console_bridge::CONSOLE_BRIDGE_LOG_ERROR) errors_.push_back(text);
   }
   const std::vector<std::string>& errors() const { return errors_; }
 
@@ -37,27 +47,57 @@ class ParserMessages : public console_bridge::OutputHandler {
     return instance;
   }
   std::lock_guard<std::mutex> lock_;
+  std::thread::id thread_ = std::this_thread::get_id();
   std::vector<std::string> errors_;
 };
 
-urdf::ModelInterfaceSharedPtr parse(const std::string& path, std::vector<std::string>& faults) {
-  std::ifstream file(path);
-  std::ostringstream text;
-  text << file.rdbuf();
-  ParserMessages messages;
-  urdf::ModelInterfaceSharedPtr model;
-  try {
-    model = urdf::parseURDF(text.str());
-  } catch (const std::exception& error) {
-    faults.emplace_back(error.what());
+/// A URDF's tree of links and joints. Its strings have a mark instead of %.
+class UrdfModel {
+ public:
+  /// Null after a fault.
+  UrdfModel(const std::string& path, std::vector<std::string>& faults) {
+    std::string text;
+    try {
+      const std::string original = readWhole(path, kMostBytes);
+      mark_ = unusedCharacter(original);
+      text = checkedUrdf(original, mark_, faults);
+    } catch (const std::invalid_argument& error) {
+      faults.emplace_back(error.what());
+    }
+    if (!text.empty()) parse(text, faults);
   }
-  if (!model || !messages.errors().empty()) {
-    std::string said = joined(messages.errors());
+  ~UrdfModel() { reset(); }
+  UrdfModel(const UrdfModel&) = delete;
+  UrdfModel& operator=(const UrdfModel&) = delete;
+
+  const urdf::ModelInterface* get() const { return model_.get(); }
+  std::string marked(const std::string& text) const { return replaced(text, "%", mark_); }
+  std::string unmarked(const std::string& text) const { return replaced(text, mark_, "%"); }
+
+ private:
+  void parse(const std::string& text, std::vector<std::string>& faults) {
+    ParserMessages messages;
+    try {
+      model_ = urdf::parseURDF(text);
+    } catch (const std::exception& error) {
+      faults.push_back(unmarked(error.what()));
+    }
+    if (model_ && messages.errors().empty()) return;
+    const std::string said = unmarked(joined(messages.errors()));
     faults.push_back(said.empty() ? "it is no URDF" : said);
-    model.reset();
+    reset();
   }
-  return model;
-}
+
+  // A link holds its children. One lets go of them first, for a long chain would end in a deep recursion.
+  void reset() {
+    if (!model_) return;
+    for (const auto& entry : model_->links_) entry.second->child_links.clear();
+    model_.reset();
+  }
+
+  urdf::ModelInterfaceSharedPtr model_;
+  std::string mark_;
+};
 
 Pose toPose(const urdf::Pose& pose) {
   const auto& r = pose.rotation;
@@ -67,13 +107,17 @@ Pose toPose(const urdf::Pose& pose) {
 
 class UrdfReader {
  public:
-  UrdfReader(const urdf::ModelInterface& model, const std::map<std::string, JointPosition>& positions,
-             const MeshLoader& load_mesh, std::vector<std::string>& faults)
-      : model_(model), positions_(positions), load_mesh_(load_mesh), faults_(faults) {}
+  UrdfReader(const UrdfModel& model, const std::map<std::string, JointPosition>& positions,
+             const MeshLoader& load_mesh)
+      : names_(model), model_(*model.get()), load_mesh_(load_mesh) {
+    for (const auto& [name, position] : positions) positions_[names_.marked(name)] = position;
+  }
 
-  std::vector<Visual> read() {
+  std::vector<Visual> read(std::vector<std::string>& faults, std::vector<std::string>& warnings) {
     checkPositions();
-    addLink(*model_.getRoot(), Pose());
+    addLinks();
+    for (const std::string& fault : faults_) faults.push_back(names_.unmarked(fault));
+    for (const std::string& warning : warnings_) warnings.push_back(names_.unmarked(warning));
     return std::move(visuals_);
   }
 
@@ -99,7 +143,17 @@ class UrdfReader {
           faults_.push_back("joint '" + entry.first + "' has the wrong unit; expected " +
                             (prismatic ? "a length" : "an angle"));
         }
+        checkTurns(entry.first, *joint, entry.second);
       }
+    }
+  }
+
+  void checkTurns(const std::string& name, const urdf::Joint& joint, const JointPosition& position) {
+    constexpr double kTurn = 2.0 * 3.14159265358979323846;
+    const bool turns = joint.type == urdf::Joint::REVOLUTE || joint.type == urdf::Joint::CONTINUOUS;
+    if (turns && position.unit == JointPosition::Unit::none && std::abs(position.value) > kTurn) {
+      warnings_.push_back("joint '" + name + "' is at " + shortNumber(position.value) +
+                          " without a unit, in rad; in deg?");
     }
   }
 
@@ -145,6 +199,28 @@ class UrdfReader {
     return motion;
   }
 
+  // From the root on, in the order in which joints are listed, however long the chains are.
+  void addLinks() {
+    struct Branch {
+      const urdf::Joint* joint;
+      Pose parent;
+    };
+    std::vector<Branch> open;
+    const auto add = [&](const urdf::Link& link, const Pose& pose) {
+      addLink(link, pose);
+      for (auto it = link.child_joints.rbegin(); it != link.child_joints.rend(); ++it) {
+        open.push_back({it->get(), pose});
+      }
+    };
+    add(*model_.getRoot(), Pose());
+    while (!open.empty()) {
+      const auto [joint, parent] = open.back();
+      open.pop_back();
+      add(*model_.getLink(joint->child_link_name),
+          parent * toPose(joint->parent_to_joint_origin_transform) * jointMotion(*joint));
+    }
+  }
+
   void addLink(const urdf::Link& link, const Pose& pose) {
     if (!link.visual_array.empty()) {
       for (const auto& visual : link.visual_array) addGeometry(link.name, *visual, pose, colorOf(*visual));
@@ -152,10 +228,6 @@ class UrdfReader {
       for (const auto& collision : link.collision_array) {
         addGeometry(link.name, *collision, pose, Visual().color);
       }
-    }
-    for (const auto& joint : link.child_joints) {
-      const auto child = model_.getLink(joint->child_link_name);
-      addLink(*child, pose * toPose(joint->parent_to_joint_origin_transform) * jointMotion(*joint));
     }
   }
 
@@ -171,7 +243,7 @@ class UrdfReader {
   void addGeometry(const std::string& link, const Shape& shape, const Pose& link_pose,
                    const Eigen::Vector4d& color) {
     Visual visual;
-    visual.name = link;
+    visual.name = names_.unmarked(link);
     visual.pose = link_pose * toPose(shape.origin);
     visual.color = color;
     try {
@@ -188,9 +260,10 @@ class UrdfReader {
 
   void setMesh(const urdf::Geometry& geometry, Visual& visual) {
     if (const auto* mesh = dynamic_cast<const urdf::Mesh*>(&geometry)) {
-      visual.mesh_resource = mesh->filename;
       visual.mesh_scale = {mesh->scale.x, mesh->scale.y, mesh->scale.z};
-      visual.mesh = load_mesh_(visual.mesh_resource, visual.mesh_scale);
+      const LoadedMesh loaded = load_mesh_(names_.unmarked(mesh->filename), visual.mesh_scale);
+      visual.mesh = loaded.mesh;
+      visual.mesh_resource = loaded.url;
     } else if (const auto* box = dynamic_cast<const urdf::Box*>(&geometry)) {
       visual.mesh = std::make_shared<TriangleMesh>(boxMesh({box->dim.x, box->dim.y, box->dim.z}));
     } else if (const auto* cylinder = dynamic_cast<const urdf::Cylinder*>(&geometry)) {
@@ -202,10 +275,12 @@ class UrdfReader {
     }
   }
 
+  const UrdfModel& names_;
   const urdf::ModelInterface& model_;
-  const std::map<std::string, JointPosition>& positions_;
+  std::map<std::string, JointPosition> positions_;
   const MeshLoader& load_mesh_;
-  std::vector<std::string>& faults_;
+  std::vector<std::string> faults_;
+  std::vector<std::string> warnings_;
   std::vector<Visual> visuals_;
 };
 
@@ -213,10 +288,11 @@ class UrdfReader {
 
 std::vector<Visual> readUrdf(const std::string& path,
                              const std::map<std::string, JointPosition>& joint_positions,
-                             const MeshLoader& load_mesh, std::vector<std::string>& faults) {
-  const auto model = parse(path, faults);
-  if (!model) return {};
-  std::vector<Visual> visuals = UrdfReader(*model, joint_positions, load_mesh, faults).read();
+                             const MeshLoader& load_mesh, std::vector<std::string>& faults,
+                             std::vector<std::string>& warnings) {
+  const UrdfModel model(path, faults);
+  if (!model.get()) return {};
+  std::vector<Visual> visuals = UrdfReader(model, joint_positions, load_mesh).read(faults, warnings);
   if (visuals.empty() && faults.empty()) faults.emplace_back("none of its links has a geometry");
   return visuals;
 }

@@ -10,9 +10,13 @@
 
 namespace cable_variation {
 
+struct LoadedMesh {
+  std::shared_ptr<const TriangleMesh> mesh;
+  std::string url;  ///< as RViz reads it, see ResourceFile
+};
+
 /// Loads the mesh at an address with a scale per axis; throws std::invalid_argument.
-using MeshLoader = std::function<std::shared_ptr<const TriangleMesh>(const std::string& address,
-                                                                     const Eigen::Vector3d& scale)>;
+using MeshLoader = std::function<LoadedMesh(const std::string& address, const Eigen::Vector3d& scale)>;
 
 /// Where a joint is: an angle [rad] or a displacement [m].
 struct JointPosition {
@@ -24,11 +28,12 @@ struct JointPosition {
 /// The visuals of every link of a URDF file (of a link without any: its
 /// collision geometry), in the frame of the root link, its joints at
 /// `joint_positions` by name and else at 0; mimic joints follow.
-/// What is wrong is appended to `faults`: the file itself, a floating or planar
+/// What is wrong is appended to `faults`: the file itself, links that make no tree, a floating or planar
 /// joint, a position out of the joint's limits or of no movable joint, a mesh,
-/// a primitive's size.
+/// a primitive's size; what is hardly meant to `warnings`.
 std::vector<Visual> readUrdf(const std::string& path,
                              const std::map<std::string, JointPosition>& joint_positions,
-                             const MeshLoader& load_mesh, std::vector<std::string>& faults);
+                             const MeshLoader& load_mesh, std::vector<std::string>& faults,
+                             std::vector<std::string>& warnings);
 
 }  // namespace cable_variation

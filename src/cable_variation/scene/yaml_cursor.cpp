@@ -1,15 +1,27 @@
 #include <cable_variation/scene/yaml_cursor.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <stdexcept>
 
 namespace cable_variation {
 namespace {
 
+const std::string kMergeKey = "<<";
+constexpr double kTurn = 2.0 * 3.14159265358979323846;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 int lineOf(const YAML::Node& node) { return node.Mark().line + 1; }
+
+constexpr Dimension kFitsNoUnit{0, 0, 0, -99};
+
+// More than a turn, and not so many half turns that somebody has counted them.
+bool isLikelyInDegrees(double angle) {
+  constexpr double kRounding = 0.01;
+  const double half_turns = std::round(2.0 * angle / kTurn);
+  return std::abs(angle) > kTurn + kRounding && std::abs(angle - half_turns * kTurn / 2.0) > kRounding;
+}
 
 std::string keyText(const YAML::Node& key) { return key.IsScalar() ? key.Scalar() : "(no plain key)"; }
 
@@ -17,6 +29,10 @@ std::string keyText(const YAML::Node& key) { return key.IsScalar() ? key.Scalar(
 
 void YamlCursor::fail(const std::string& message) const {
   faults_->add(line_, label_.empty() ? message : label_ + ": " + message);
+}
+
+void YamlCursor::warn(const std::string& message) const {
+  faults_->warn(line_, label_.empty() ? message : label_ + ": " + message);
 }
 
 std::string YamlCursor::found() const {
@@ -45,13 +61,36 @@ bool YamlCursor::checkKeys(const std::vector<std::string>& allowed) const {
 
 std::vector<std::pair<std::string, YamlCursor>> YamlCursor::entries() const {
   std::vector<std::pair<std::string, YamlCursor>> result;
+  std::vector<YamlCursor> merged;
   if (!node_.IsMap()) return result;
   for (const auto& entry : node_) {
     const std::string key = keyText(entry.first);
-    result.emplace_back(key, YamlCursor(entry.second, lineOf(entry.first),
-                                        label_.empty() ? key : label_ + ", " + key, *faults_));
+    const YamlCursor value(entry.second, lineOf(entry.first), label_.empty() ? key : label_ + ", " + key,
+                           *faults_);
+    const bool merges = key == kMergeKey && (value.isMap() || value.isList());
+    if (merges) {
+      merged.push_back(value);
+    } else {
+      result.emplace_back(key, value);
+    }
   }
+  for (const YamlCursor& value : merged) value.labelled(label_).mergeInto(result);
   return result;
+}
+
+// Own keys go first, then those of the first map of a list.
+void YamlCursor::mergeInto(std::vector<std::pair<std::string, YamlCursor>>& entries) const {
+  if (isList()) {
+    for (const YAML::Node& item : node_) YamlCursor(item, lineOf(item), label_, *faults_).mergeInto(entries);
+    return;
+  }
+  const std::size_t own = entries.size();
+  for (auto& entry : this->entries()) {
+    const auto same = [&](const auto& other) { return other.first == entry.first; };
+    if (std::none_of(entries.begin(), entries.begin() + static_cast<std::ptrdiff_t>(own), same)) {
+      entries.push_back(std::move(entry));
+    }
+  }
 }
 
 std::optional<YamlCursor> YamlCursor::find(const std::string& key) const {
@@ -92,6 +131,14 @@ std::string YamlCursor::text() const {
   return node_.Scalar();
 }
 
+bool YamlCursor::isBareNumber() const {
+  try {
+    return isScalar() && !readQuantity(node_.Scalar(), Quantity{"a number", "", "1", kFitsNoUnit}).has_unit;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
+
 bool YamlCursor::flag() const {
   bool value = false;
   if (!node_.IsScalar() || !YAML::convert<bool>::decode(node_, value))
@@ -105,9 +152,15 @@ double YamlCursor::number(const Quantity& quantity, const Range& range) const {
     return kNone;
   }
   try {
-    const double value = parseQuantity(node_.Scalar(), quantity);
-    if (range.holds(value)) return value;
-    fail(found() + "; expected " + range.text(quantity.unit));
+    const QuantityText number = readQuantity(node_.Scalar(), quantity);
+    if (!range.holds(number.value)) {
+      fail(found() + "; expected " + range.text(quantity.unit));
+      return kNone;
+    }
+    if (&quantity == &quantity::angle && !number.has_unit && isLikelyInDegrees(number.value)) {
+      warn(found() + " without a unit, which is " + shortNumber(number.value) + " rad; in deg?");
+    }
+    return number.value;
   } catch (const std::invalid_argument& error) {
     fail(error.what());
   }

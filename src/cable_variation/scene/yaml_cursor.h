@@ -31,6 +31,8 @@ class YamlCursor {
 
   /// Adds "label: message" at this line.
   void fail(const std::string& message) const;
+  /// Likewise, of what is possible but hardly meant.
+  void warn(const std::string& message) const;
 
   /// Whether this is a map; unknown and repeated keys are faults.
   bool checkKeys(const std::vector<std::string>& allowed) const;
@@ -38,12 +40,17 @@ class YamlCursor {
   /// As find(); absence is a fault.
   std::optional<YamlCursor> require(const std::string& key) const;
   bool has(const std::string& key) const { return find(key).has_value(); }
-  /// Keys of a map in the file's order, with their values.
+  /// Keys of a map in the file's order, with their values; then those of maps merged into it (<<).
   std::vector<std::pair<std::string, YamlCursor>> entries() const;
   /// The items of a list; a fault unless it is one, of `count` items if given.
   std::vector<YamlCursor> items(std::optional<std::size_t> count = {}) const;
 
-  /// Values of this place.
+  /// What is there, for a message: "found '5 deg'", "found a list".
+  std::string found() const;
+  /// Whether this is a number without a unit.
+  bool isBareNumber() const;
+
+  /// Values of this place. An angle of several turns without a unit is warned of: it is in degrees as a rule.
   std::string text() const;
   bool flag() const;
   double number(const Quantity& quantity, const Range& range = Range::any()) const;
@@ -64,7 +71,7 @@ class YamlCursor {
   bool flag(const std::string& key, bool fallback) const;
 
  private:
-  std::string found() const;  // what is there, for a message
+  void mergeInto(std::vector<std::pair<std::string, YamlCursor>>& entries) const;
 
   YAML::Node node_;
   int line_;
