@@ -118,7 +118,7 @@ struct Curve {
   }
 };
 
-void fillPiece(const DiscreteRod& rod, std::size_t index, Draw& draw, DiscreteShape& shape) {
+void fillPiece(const DiscreteRod& rod, std::size_t index, Draw& draw, int turns, DiscreteShape& shape) {
   const DiscretePiece& piece = rod.layout().pieces[index];
   const DiscreteShape::Station& left = shape.stations[piece.left];
   const DiscreteShape::Station& right = shape.stations[piece.right];
@@ -147,7 +147,7 @@ void fillPiece(const DiscreteRod& rod, std::size_t index, Draw& draw, DiscreteSh
     nodes.segments.push_back(frame.normalized());
   }
   // what is left of a turn about the tangent is spread evenly
-  const double twist = rotationVector(frame.conjugate() * right.orientation).x();
+  const double twist = rotationVector(frame.conjugate() * right.orientation).x() + 2.0 * M_PI * turns;
   for (std::size_t k = 0; k < piece.segments(); ++k) {
     const double share = 0.5 * (piece.at[k] + piece.at[k + 1]);
     nodes.segments[k] = (nodes.segments[k] * rotationBy({share * twist, 0.0, 0.0})).normalized();
@@ -170,13 +170,13 @@ DiscreteShape empty(const DiscreteRod& rod) {
 
 }  // namespace
 
-DiscreteShape simpleStart(const DiscreteRod& rod, Draw& draw, bool anywhere) {
+DiscreteShape simpleStart(const DiscreteRod& rod, Draw& draw, bool anywhere, int turns) {
   DiscreteShape shape = empty(rod);
   if (anywhere) slideAtRandom(rod, draw, shape);
   placeFreeStations(rod, draw, shape);
   rod.place(shape);
   orientStations(rod, shape);
-  for (std::size_t i = 0; i < shape.pieces.size(); ++i) fillPiece(rod, i, draw, shape);
+  for (std::size_t i = 0; i < shape.pieces.size(); ++i) fillPiece(rod, i, draw, turns, shape);
   return shape;
 }
 

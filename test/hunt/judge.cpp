@@ -53,7 +53,9 @@ LowestStart simpleStarts(const DiscreteRod& rod, const JudgeOptions& options, in
   LowestStart lowest;
   for (int i = 0; i < count; ++i) {
     Draw draw(options.seed, 1000, static_cast<std::uint64_t>(i));
-    DiscreteShape shape = simpleStart(rod, draw, i % 2 == 1);
+    // of six: four with the least twist, one each with a turn more and less
+    const int turns = i % 6 == 2 ? 1 : i % 6 == 4 ? -1 : 0;
+    DiscreteShape shape = simpleStart(rod, draw, i % 2 == 1, turns);
     if (!descend(rod, shape).stable) continue;
     double sign = 0.0;
     if (rod.largestStretch(shape, &sign) > kLargestStretch) {

@@ -93,9 +93,9 @@ Clip makeClip(const std::string& name, std::size_t cable, double arc_length, con
 Clip randomClip(Draw& draw, const std::string& name, std::size_t cable, double arc_length, const Cable& of,
                 const Pose& pose, bool may_slide) {
   const Section& section = of.sections.front().section;
-  // springs about as stiff as 1/100 to 100 times a tenth of the cable
+  // springs from far softer to far stiffer than a tenth of the cable
   const double part = 0.1 * of.length;
-  const auto turning = [&] { return draw.logBetween(0.01, 100.0) * section.EI_y / part; };
+  const auto turning = [&] { return draw.logBetween(0.01, 1000.0) * section.EI_y / part; };
   const auto pushing = [&] { return draw.logBetween(0.1, 1000.0) * section.EI_y / (part * part * part); };
   const auto general = [&](const auto& stiffness) {
     const double kind = draw.between(0.0, 1.0);
