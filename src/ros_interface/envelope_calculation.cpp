@@ -5,6 +5,7 @@
 
 #include <cable_variation/geometry/mesh_volume.h>
 #include <cable_variation/geometry/outer_surface.h>
+#include <cable_variation/scene/quantity.h>
 #include <cable_variation/variation/envelope_clearance.h>
 #include <ros_interface/clearance_markers.h>
 #include <ros_interface/component_deviations.h>
@@ -155,11 +156,17 @@ EnvelopeOutcome calculateEnvelope(const EnvelopeTask& task, const SolverContext:
     control.complete();
     return outcome;
   }
+  constexpr double kWorthTelling = 1e-5;  // [m]
   control.report({"files", kSurfaceShare, solves, 0.0});
   const EnvelopeFiles files = envelopeFiles(output, task.name, scene, envelope, surface);
   response.mesh_file = files.mesh;
   response.urdf_file = files.urdf;
   response.region_file = files.region;
+  if (files.rounding > kWorthTelling) {
+    response.warnings.push_back("the STL files have their coordinates rounded by up to " +
+                                cable_variation::shortNumber(files.rounding) +
+                                " m, so far from the origin; the .obj has them all");
+  }
   control.complete();
   write(files, output);
   return outcome;

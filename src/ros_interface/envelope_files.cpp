@@ -5,6 +5,7 @@
 #include <cable_variation/report/envelope_urdf.h>
 #include <cable_variation/report/output_file.h>
 #include <cable_variation/report/stl.h>
+#include <cable_variation/scene/resource_address.h>
 #include <cable_variation/variation/forbidden_region.h>
 
 namespace cable_variation_ros {
@@ -19,11 +20,12 @@ EnvelopeFiles envelopeFiles(const OutputDirectory& output, const std::string& na
   const std::filesystem::path folder = std::filesystem::path(files.urdf).parent_path();
   cable_variation::EnvelopeUrdfOptions options;
   options.name = name;
-  options.folder = "file://" + folder.string();
+  options.folder = cable_variation::fileUrl(folder.string());
   const cable_variation::EnvelopeUrdf urdf = envelopeUrdf(envelope.frames.front(), surface.mesh, options);
   files.contents = {{files.mesh, cable_variation::binaryStl(surface.mesh, "tolerance envelope " + name)},
                     {files.region, regionText(forbiddenRegion(scene, envelope))}};
   for (const auto& mesh : urdf.meshes) files.contents.emplace_back(folder / mesh.name, mesh.contents);
+  files.rounding = cable_variation::stlRounding(surface.mesh);
   files.contents.emplace_back(files.urdf, urdf.text);  // last: who finds it finds the meshes it names
   return files;
 }

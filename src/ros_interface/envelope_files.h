@@ -12,9 +12,10 @@ namespace cable_variation_ros {
 
 /// An envelope's files, not written yet.
 struct EnvelopeFiles {
-  std::string mesh;    ///< path of NAME.stl: the outer surface, binary
-  std::string urdf;    ///< of NAME.urdf: convex pieces to collide with, NAME_*.stl
-  std::string region;  ///< of NAME.obj: the pieces themselves, see CheckForbiddenRegion
+  std::string mesh;       ///< path of NAME.stl: the outer surface, binary
+  std::string urdf;       ///< of NAME.urdf: convex pieces to collide with, NAME_*.stl
+  std::string region;     ///< of NAME.obj: the pieces themselves, see CheckForbiddenRegion
+  double rounding = 0.0;  ///< of the coordinates in the STL files [m]
   std::vector<std::pair<std::string, std::string>> contents;  ///< path and contents, in order
 };
 

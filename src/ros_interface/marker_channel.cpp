@@ -2,6 +2,7 @@
 
 #include <ros/node_handle.h>
 
+#include <ros_interface/message_conversion.h>
 #include <ros_interface/names.h>
 
 namespace cable_variation_ros {
@@ -26,10 +27,30 @@ MarkerArray withDeletions(MarkerArray markers, std::set<std::pair<std::string, i
   return markers;
 }
 
+namespace {
+
+Eigen::Vector3d vectorOf(const geometry_msgs::Point& point) { return {point.x, point.y, point.z}; }
+
+}  // namespace
+
+Marker nearItsPoints(Marker marker) {
+  constexpr double kFar = 1000.0;  // [m]; 24 bits are 0.03 mm there
+  if (marker.points.empty()) return marker;
+  const Eigen::Vector3d origin = vectorOf(marker.points.front());
+  if (!(origin.cwiseAbs().maxCoeff() > kFar)) return marker;
+  for (geometry_msgs::Point& point : marker.points) point = toPoint(vectorOf(point) - origin);
+  const geometry_msgs::Quaternion& q = marker.pose.orientation;
+  const Eigen::Quaterniond orientation(q.w, q.x, q.y, q.z);
+  const Eigen::Vector3d shift = orientation.norm() > 0.0 ? orientation.normalized() * origin : origin;
+  marker.pose.position = toPoint(vectorOf(marker.pose.position) + shift);
+  return marker;
+}
+
 MarkerChannel::MarkerChannel(ros::NodeHandle& node, const std::string& topic)
     : publisher_(node.advertise<MarkerArray>(topic, 1, true)) {}
 
 void MarkerChannel::publish(MarkerArray markers) {
+  for (Marker& marker : markers.markers) marker = nearItsPoints(std::move(marker));
   publisher_.publish(withDeletions(std::move(markers), shown_));
 }
 

@@ -29,6 +29,11 @@ class MarkerChannel {
   std::set<std::pair<std::string, int>> shown_;
 };
 
+/// The same marker, with its points seen from one of them if they are more than a kilometre from its
+/// pose: RViz draws points in single precision, which in map coordinates is centimetres. Seen from a
+/// fixed frame nearby it then draws them exactly.
+visualization_msgs::Marker nearItsPoints(visualization_msgs::Marker marker);
+
 /// `markers`, and a DELETE for each namespace and id of `shown` that is not among
 /// them. `shown` becomes what is there afterwards.
 visualization_msgs::MarkerArray withDeletions(visualization_msgs::MarkerArray markers,

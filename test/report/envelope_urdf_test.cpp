@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <random>
 #include <stdexcept>
 
@@ -107,6 +108,28 @@ TEST(Stl, isReadBackAsItWas) {
   EXPECT_NEAR(enclosedVolume(read), enclosedVolume(mesh), 1e-6 * enclosedVolume(mesh));
 }
 
+// No coordinate is further from what it was than is said.
+TEST(Stl, tellsItsRounding) {
+  for (const double away : {0.0, 0.5, 1e3, 1e6}) {
+    Folder folder;
+    TriangleMesh mesh = sphereMesh(0.05);
+    for (Eigen::Vector3d& vertex : mesh.vertices) vertex.x() += away;
+    const std::string bytes = binaryStl(mesh, "sphere");
+    double largest = 0.0;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        float x;
+        std::memcpy(&x, bytes.data() + 84 + 50 * i + 12 * (k + 1),
+                    sizeof x);  // as on this machine: little-endian
+        largest =
+            std::max(largest, std::abs(static_cast<double>(x) - mesh.vertices[mesh.triangles[i][k]].x()));
+      }
+    }
+    EXPECT_LE(largest, stlRounding(mesh)) << away;
+    EXPECT_GE(largest, 0.2 * stlRounding(mesh)) << away;
+  }
+}
+
 TEST(Stl, refusesWhatTheFormatCannotHold) {
   EXPECT_THROW(binaryStl(sphereMesh(0.05), "solid sphere"), std::invalid_argument);
   EXPECT_THROW(binaryStl(sphereMesh(1e39), "sphere"), std::invalid_argument);
@@ -160,14 +183,14 @@ TEST(EnvelopeUrdf, isReadAndHoldsTheEnvelope) {
     }
 
     // By urdfdom: the link shows the outer surface
-    std::vector<std::string> faults, addresses;
+    std::vector<std::string> faults, warnings, addresses;
     readUrdf(
         path, {},
         [&](const std::string& address, const Eigen::Vector3d&) {
           addresses.push_back(address);
-          return std::make_shared<const TriangleMesh>(sphereMesh(1.0));
+          return LoadedMesh{std::make_shared<const TriangleMesh>(sphereMesh(1.0)), address};
         },
-        faults);
+        faults, warnings);
     EXPECT_EQ(faults, std::vector<std::string>());
     EXPECT_EQ(addresses, std::vector<std::string>{"file://" + folder.path() + "/envelope_surface.stl"});
     std::size_t collisions = 0;

@@ -159,5 +159,29 @@ TEST(Deletions, WhatIsGoneIsDeletedOnce) {
   EXPECT_EQ(withDeletions(markersNamed({{"a", 0}}), shown).markers.size(), 1u);
 }
 
+TEST(Markers, farAwayPointsAreSeenFromOneOfThem) {
+  Marker marker;
+  marker.pose.position.x = 3.0;
+  marker.pose.orientation.z = marker.pose.orientation.w = std::sqrt(0.5);  // a quarter turn about z
+  for (int i = 0; i < 3; ++i) {
+    geometry_msgs::Point point;
+    point.x = 1e6 + 0.25 * i;
+    point.y = -2e6;
+    marker.points.push_back(point);
+  }
+  const Marker seen = nearItsPoints(marker);
+  const auto world = [](const Marker& m, std::size_t i) {
+    return Eigen::Vector3d(m.pose.position.x - m.points[i].y, m.pose.position.y + m.points[i].x, 0.0);
+  };
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR((world(seen, i) - world(marker, i)).norm(), 0.0, 1e-8);
+    EXPECT_EQ(static_cast<double>(static_cast<float>(seen.points[i].x)), 0.25 * static_cast<double>(i));
+  }
+  for (geometry_msgs::Point& point : marker.points) point.x -= 1e6;
+  for (geometry_msgs::Point& point : marker.points) point.y += 2e6;
+  EXPECT_EQ(nearItsPoints(marker).points[1].x, 0.25);
+  EXPECT_EQ(nearItsPoints(marker).pose.position.x, 3.0);
+}
+
 }  // namespace
 }  // namespace cable_variation_ros

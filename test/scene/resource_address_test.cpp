@@ -131,6 +131,13 @@ TEST_F(Addresses, whatIsNoFileIsRefusedAtOnce) {
             "found 'http://a/b.stl'; expected an address that starts with package:// or file://");
 }
 
+TEST_F(Addresses, aPathHasAUrl) {
+  EXPECT_EQ(fileUrl("/a b/c#1/d.stl"), "file:///a%20b/c%231/d.stl");
+  touch("other parts/a#1.stl");
+  EXPECT_EQ(find(fileUrl((root_ / "other parts/a#1.stl").string())).path,
+            (root_ / "other parts/a#1.stl").string());
+}
+
 TEST_F(Addresses, extensionsAreReadInAnyCase) {
   EXPECT_EQ(extensionOf("package://a/b.TUM"), ".tum");
   EXPECT_EQ(extensionOf("package://a/b.c/d.Stl"), ".stl");

@@ -1,5 +1,6 @@
 #include <cable_variation/report/stl.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -56,6 +57,14 @@ std::string binaryStl(const TriangleMesh& mesh, const std::string& title) {
     bytes.append(2, '\0');  // no attributes
   }
   return bytes;
+}
+
+double stlRounding(const TriangleMesh& mesh) {
+  double largest = 0.0;
+  for (const Eigen::Vector3d& vertex : mesh.vertices)
+    largest = std::max(largest, vertex.cwiseAbs().maxCoeff());
+  const auto rounded = static_cast<float>(largest);
+  return 0.5 * static_cast<double>(std::nextafter(rounded, std::numeric_limits<float>::infinity()) - rounded);
 }
 
 }  // namespace cable_variation

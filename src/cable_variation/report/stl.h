@@ -12,4 +12,8 @@ namespace cable_variation {
 /// Throws std::invalid_argument: such a title, a coordinate that is not finite in 24 bits, 2^32 triangles.
 std::string binaryStl(const TriangleMesh& mesh, const std::string& title);
 
+/// By how much its coordinates may be rounded there [m]: 3e-8 m at half a metre from the origin, 0.03 m at a
+/// thousand kilometres.
+double stlRounding(const TriangleMesh& mesh);
+
 }  // namespace cable_variation

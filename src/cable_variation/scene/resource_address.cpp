@@ -97,7 +97,7 @@ std::string urlOf(const Place& place, const std::string& path) {
   const bool in_package = !place.package.empty() && startsWith(path, start);
   return in_package && escaped(place.folder) == place.folder
              ? kPackageScheme + place.package + "/" + escaped(path.substr(start.size()))
-             : kFileScheme + escaped(path);
+             : fileUrl(path);
 }
 
 }  // namespace
@@ -125,6 +125,8 @@ std::string localPath(const std::string& address, const PackageFinder& find_pack
                       std::uintmax_t most_bytes) {
   return findResource(address, find_package, most_bytes).path;
 }
+
+std::string fileUrl(const std::string& path) { return kFileScheme + escaped(path); }
 
 std::string extensionOf(const std::string& address) {
   std::string extension = std::filesystem::path(address).extension().string();

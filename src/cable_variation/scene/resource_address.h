@@ -27,6 +27,9 @@ ResourceFile findResource(const std::string& address, const PackageFinder& find_
 std::string localPath(const std::string& address, const PackageFinder& find_package,
                       std::uintmax_t most_bytes = kAnySize);
 
+/// The file:// URL of an absolute path, with its special characters escaped.
+std::string fileUrl(const std::string& path);
+
 /// The extension of an address or path in small letters, with its dot; empty: none.
 std::string extensionOf(const std::string& address);
 
