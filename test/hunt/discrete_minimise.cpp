@@ -38,8 +38,16 @@ class Factor {
 // A sliding clip nearer than this share of its cable to what is next has left its room.
 constexpr double kNoRoom = 1e-3;
 
-// Small numbers in place of the least eigenvalue that rounding leaves undecided.
-constexpr double kNeutral = 1e-9;
+// A shift, in units of the bending metric, within which rounding and neutral motions leave the sign of an
+// eigenvalue undecided: rounding leaves some 1e-16 of the stiffest entry, that of stretch.
+double neutralShift(const DiscreteRod& rod, const Matrix& hessian) {
+  constexpr double kNeutral = 1e-9, kRounding = 1e-15;
+  double stiffest = 0.0;
+  for (Eigen::Index i = 0; i < hessian.rows(); ++i) {
+    stiffest = std::max(stiffest, hessian.coeff(i, i) / rod.bendingMetric()[i]);
+  }
+  return std::max(kNeutral, kRounding * stiffest);
+}
 
 }  // namespace
 
@@ -69,7 +77,7 @@ Settling settle(const DiscreteRod& rod, DiscreteShape& shape) {
   }
   if (!result.stationary) return result;
   rod.assemble(shape, {}, gradient, hessian);
-  result.stable = factor.compute(hessian, rod.bendingMetric(), kNeutral) == 0;
+  result.stable = factor.compute(hessian, rod.bendingMetric(), neutralShift(rod, hessian)) == 0;
   return result;
 }
 
@@ -97,7 +105,7 @@ bool descendAt(const DiscreteRod& rod, const RodModel& model, int most, double a
   double shift = kFirstShift;
   for (int i = 0; i < most; ++i, ++iterations) {
     const DiscreteRod::Energy terms = rod.assemble(shape, model, gradient, hessian);
-    const double energy = terms.total();
+    const double energy = terms.total(), neutral = neutralShift(rod, hessian);
     // what rounding leaves of a sum of large terms
     const double noise =
         1e-13 * (terms.elastic() + terms.springs + std::abs(terms.gravity) + std::abs(terms.loads));
@@ -114,18 +122,18 @@ bool descendAt(const DiscreteRod& rod, const RodModel& model, int most, double a
       const double promised = gradient.dot(step);
       const bool arrived = share == 1.0 && rod.size(step) < accuracy;
       // along a neutral motion there is no end of steps, and nothing to win
-      if (shift <= kNeutral && (arrived || std::abs(promised) < 1e-2 * noise)) {
+      if (shift <= neutral && (arrived || std::abs(promised) < 1e-2 * noise)) {
         rod.move(step, model, shape);
         return true;
       }
       if (share == 1.0 && rod.size(step) < 1e-3 * accuracy) {
-        if (factor.compute(hessian, rod.bendingMetric(), kNeutral) != 0) {
+        if (factor.compute(hessian, rod.bendingMetric(), neutral) != 0) {
           factor.compute(hessian, rod.bendingMetric(), shift);
           step = softestMotion(factor, rod);
           step *= 0.01 / rod.size(step);
         }
         rod.move(rod.largestShare(step, shape, 0.6, 0.15) * step, model, shape);
-        shift = 0.0;
+        shift = neutral;
         moved = true;
         continue;
       }
@@ -133,7 +141,8 @@ bool descendAt(const DiscreteRod& rod, const RodModel& model, int most, double a
       rod.move(step, model, trial);
       if (rod.energy(trial, model).total() <= energy + 1e-4 * promised + noise) {
         shape = std::move(trial);
-        shift = shift < 1e-6 ? 0.0 : (share == 1.0 ? 0.1 : 0.3) * shift;
+        shift = std::max(neutral, (share == 1.0 ? 0.1 : 0.3) * shift);
+        if (shift < 1e-6) shift = neutral;
         moved = true;
       } else {
         shift = std::max(kFirstShift, 4.0 * shift);
@@ -151,13 +160,14 @@ bool convergeAt(const DiscreteRod& rod, RodModel model, DiscreteShape& shape, in
   Factor factor;
   VectorXd gradient;
   Matrix hessian;
-  double shift = 0.0;
+  double shift = 0.0;  // beyond what neutral motions need
   for (int i = 0; i < kMost; ++i, ++iterations) {
     rod.assemble(shape, model, gradient, hessian);
-    int negative = factor.compute(hessian, rod.bendingMetric(), shift);
+    const double neutral = neutralShift(rod, hessian);
+    int negative = factor.compute(hessian, rod.bendingMetric(), neutral + shift);
     for (int attempt = 0; attempt < 20 && negative != 0; ++attempt) {
       shift = std::max(1e-3, 4.0 * shift);
-      negative = factor.compute(hessian, rod.bendingMetric(), shift);
+      negative = factor.compute(hessian, rod.bendingMetric(), neutral + shift);
     }
     if (negative != 0) return false;
     VectorXd step = -factor.solve(gradient);
@@ -208,7 +218,7 @@ Settling descend(const DiscreteRod& rod, DiscreteShape& shape) {
   }
   result.stationary = true;
   rod.assemble(shape, {}, gradient, hessian);
-  result.stable = factor.compute(hessian, rod.bendingMetric(), kNeutral) == 0;
+  result.stable = factor.compute(hessian, rod.bendingMetric(), neutralShift(rod, hessian)) == 0;
   return result;
 }
 

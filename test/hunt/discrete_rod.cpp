@@ -69,10 +69,9 @@ void DiscreteRod::measure() {
   for (const Cable& cable : harness_.cables) {
     total += cable.length;
     const Section& section = cable.sections.front().section;
-    force_scale_ += section.mass_per_length * cable.length * harness_.gravity.norm();
-    force_scale_ += std::min(section.EI_y, section.EI_z) / (cable.length * cable.length);
+    load_scale_ += section.mass_per_length * cable.length * harness_.gravity.norm();
   }
-  for (const PointLoad& load : harness_.loads) force_scale_ += load.force.norm();
+  for (const PointLoad& load : harness_.loads) load_scale_ += load.force.norm();
   surface_metric_ = VectorXd::Zero(count_);
   bending_metric_ = VectorXd::Zero(count_);
   extent_ = VectorXd::Ones(count_);
@@ -150,7 +149,7 @@ double DiscreteRod::softened(const RodProperties& rod, std::size_t piece, double
   const DiscretePiece& of = layout_.pieces[piece];
   const double h = share * (layout_.stations[of.right].arc_length - layout_.stations[of.left].arc_length);
   const double bending = std::min(rod.stiffness[4], rod.stiffness[5]) / (h * h);
-  const double least = std::max(model.cap * bending, 30.0 * force_scale_);
+  const double least = std::max(model.cap * bending, 30.0 * load_scale_);
   return std::min(1.0, least / rod.stiffness[0]);
 }
 

@@ -70,8 +70,6 @@ class DiscreteRod {
   /// Whether the station's position, its orientation is given by its clip alone.
   bool positionKnown(std::size_t station) const;
   bool orientationKnown(std::size_t station) const;
-  /// All forces that act, as a scale [N].
-  double forceScale() const { return force_scale_; }
 
  private:
   struct StationUnknowns {
@@ -109,7 +107,7 @@ class DiscreteRod {
   std::vector<StationUnknowns> unknown_;
   std::vector<int> first_raw_, first_unknown_;
   int raw_count_ = 0, count_ = 0;
-  double force_scale_ = 0.0;
+  double load_scale_ = 0.0;  ///< weight and loads [N]
   Eigen::VectorXd surface_metric_, bending_metric_, extent_;
 };
 

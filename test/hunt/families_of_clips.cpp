@@ -29,9 +29,11 @@ ClipConstraint randomSlide(Draw& draw) {
 }  // namespace
 
 Harness makeSeveralClips(Draw& draw) {
-  const Cable cable = randomCable(draw);
+  const Section section = bundleSection(draw);
+  const Cable cable = makeCable("cable", section.radius * draw.logBetween(30.0, 400.0), section);
   Harness harness = oneCable(draw, cable);
-  const Route route(draw, cable.length, draw.between(0.2, 3.0), draw.between(0.6, 0.97));
+  const double tightness = draw.chance(0.05) ? draw.between(1.08, 1.3) : draw.between(0.5, 0.97);
+  const Route route(draw, cable.length, draw.between(0.2, 3.0), tightness);
   const double crooked = draw.between(0.02, 0.5);
   const std::size_t count = draw.count(1, 4);
   harness.clips.push_back(makeClip("start", 0, 0.0, "fixed", fixedClip(), route.at(0.0)));

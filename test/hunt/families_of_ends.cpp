@@ -25,9 +25,12 @@ Cable randomCable(Draw& draw) {
 
 }  // namespace
 
+// Stubby cables among them, which clips press more than cables bear, and some that are too short.
 Harness makeTwoEnds(Draw& draw) {
-  const Cable cable = randomCable(draw);
-  const Route route(draw, cable.length, draw.between(0.2, 2.5), draw.between(0.6, 0.98));
+  const Section section = bundleSection(draw);
+  const Cable cable = makeCable("cable", section.radius * draw.logBetween(12.0, 400.0), section);
+  const double tightness = draw.chance(0.05) ? draw.between(1.08, 1.4) : draw.between(0.5, 0.98);
+  const Route route(draw, cable.length, draw.between(0.2, 2.5), tightness);
   Harness harness = between(draw, cable, {}, disturbed(draw, route.at(cable.length), 0.4));
   if (draw.chance(0.3)) {
     const auto ends = {rollingClip(), pivotClip(), hingeClip(Axis::y), hingeClip(Axis::z)};

@@ -121,7 +121,8 @@ Judgement judgeFailure(const Harness& harness, const Equilibrium& answer, const 
   judgement.verdict = Verdict::not_solvable;
   if (answer.status != EquilibriumStatus::impossible) return judgement;
   judgement.text += textOf("; ", found.stretched, " overstretched, ", found.compressed, " overcompressed");
-  const bool says_compressed = answer.message.find("compress") != std::string::npos;
+  const auto says = [&answer](const char* word) { return answer.message.find(word) != std::string::npos; };
+  const bool says_compressed = says("compress") || says("pressed") || says("too close");
   if ((says_compressed && found.stretched > 0 && found.compressed == 0) ||
       (!says_compressed && found.compressed > 0 && found.stretched == 0)) {
     judgement.verdict = Verdict::wrong_reason;
