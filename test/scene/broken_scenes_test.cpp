@@ -131,6 +131,24 @@ TEST(SceneErrors, areListedOnePerLineWithFileAndLine) {
   }
 }
 
+TEST(SceneErrors, staysReadableWhateverTheFileHolds) {
+  std::vector<std::string> lines{
+      "gravity: [0, 0, " + std::string(300000, '9') + "\xc3\xa4" + std::string(1500, '9') + "]",
+      "components:"};
+  for (int i = 0; i < 2000; ++i) lines.push_back("  - {nam: a}");
+  const TemporaryFile file("long.yaml", lines);
+  try {
+    readScene(file.path(), findTestPackage);
+    FAIL() << "the scene was read";
+  } catch (const SceneError& error) {
+    const std::string what = error.what();
+    EXPECT_GT(error.faults().size(), 2000U);
+    EXPECT_LT(what.size(), 500U * 200U);
+    EXPECT_NE(what.find(" bytes) ... "), std::string::npos);
+    EXPECT_EQ(what.substr(what.rfind('\n') + 1, 4), "and ");
+  }
+}
+
 TEST(SceneErrors, aFileThatIsNotThere) {
   try {
     readScene("/nowhere/scene.yaml", findTestPackage);

@@ -38,12 +38,11 @@ std::vector<Held> heldPlaces(const Harness& harness, std::size_t cable) {
   return held;
 }
 
+// Diagonal of the box about them: of two, their distance.
 double spanOf(const std::vector<Held>& held) {
-  double span = 0.0;
-  for (const Held& a : held) {
-    for (const Held& b : held) span = std::max(span, (a.clip->pose.position - b.clip->pose.position).norm());
-  }
-  return span;
+  Eigen::AlignedBox3d box;
+  for (const Held& one : held) box.extend(one.clip->pose.position);
+  return box.isEmpty() ? 0.0 : box.diagonal().norm();
 }
 
 double smallestRadius(const Cable& cable) {

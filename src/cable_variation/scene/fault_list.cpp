@@ -44,7 +44,28 @@ std::vector<SceneFault> byLine(std::vector<SceneFault> faults) {
   return faults;
 }
 
+// Messages quote what they found, which may be all of a file.
+std::string readable(const std::string& message) {
+  constexpr std::size_t kMost = 2000, kEnd = 1000;  // bytes
+  if (message.size() <= kMost) return message;
+  const auto continues = [&](std::size_t at) {
+    return (static_cast<unsigned char>(message[at]) & 0xc0U) == 0x80U;
+  };
+  std::size_t from = kMost - kEnd, to = message.size() - kEnd;  // between characters of UTF-8
+  while (from > 0 && continues(from)) --from;
+  while (to < message.size() && continues(to)) ++to;
+  return message.substr(0, from) + " ... (" + std::to_string(to - from) + " bytes) ... " + message.substr(to);
+}
+
 }  // namespace
+
+void FaultList::add(int line, const std::string& message) {
+  faults_.push_back({file_, line, readable(message)});
+}
+
+void FaultList::warn(int line, const std::string& message) {
+  warnings_.push_back({file_, line, readable(message)});
+}
 
 std::vector<SceneFault> FaultList::sorted() const { return byLine(faults_); }
 
@@ -81,8 +102,12 @@ std::string toString(const SceneFault& fault) {
 
 SceneError::SceneError(std::vector<SceneFault> faults)
     : std::invalid_argument([&faults] {
+        constexpr std::size_t kMost = 500;  // that anybody reads
         std::string text;
-        for (const SceneFault& fault : faults) text += (text.empty() ? "" : "\n") + toString(fault);
+        for (std::size_t i = 0; i < std::min(faults.size(), kMost); ++i) {
+          text += (text.empty() ? "" : "\n") + toString(faults[i]);
+        }
+        if (faults.size() > kMost) text += "\nand " + std::to_string(faults.size() - kMost) + " more";
         return text;
       }()),
       faults_(std::move(faults)) {}

@@ -12,9 +12,10 @@ class FaultList {
  public:
   explicit FaultList(std::string file) : file_(std::move(file)) {}
 
-  void add(int line, const std::string& message) { faults_.push_back({file_, line, message}); }
+  /// What is long enough to hide the rest of a message is left out of its middle.
+  void add(int line, const std::string& message);
   std::size_t count() const { return faults_.size(); }
-  void warn(int line, const std::string& message) { warnings_.push_back({file_, line, message}); }
+  void warn(int line, const std::string& message);
 
   /// By line, each once.
   std::vector<SceneFault> sorted() const;
