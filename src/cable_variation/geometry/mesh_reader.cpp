@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <memory>
 #include <sstream>
@@ -14,6 +15,11 @@
 #include <assimp/importerdesc.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+
+#include <cable_variation/geometry/mesh/collada_check.h>
+#include <cable_variation/geometry/mesh/obj_reader.h>
+#include <cable_variation/geometry/mesh/ply_reader.h>
+#include <cable_variation/geometry/mesh/stl_reader.h>
 
 namespace cable_variation {
 namespace {
@@ -97,6 +103,39 @@ double area(const TriangleMesh& mesh) {
   return sum;
 }
 
+TriangleMesh readCollada(const std::string& path, const std::string& contents) {
+  checkCollada(contents);
+  Assimp::Importer importer;
+  keepOnly("dae", importer);
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
+  importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, aiComponent_NORMALS | aiComponent_COLORS |
+                                                          aiComponent_TEXCOORDS | aiComponent_TEXTURES |
+                                                          aiComponent_MATERIALS);
+  const aiScene* scene = importer.ReadFile(path, aiProcess_RemoveComponent | aiProcess_Triangulate);
+  if (!scene || !scene->mRootNode) {
+    throw std::invalid_argument(std::string("not readable as dae: ") + importer.GetErrorString());
+  }
+  MeshBuilder builder(*scene);
+  builder.add(*scene->mRootNode, aiMatrix4x4());
+  return std::move(builder.mesh);
+}
+
+std::string contentsOf(const std::string& path) {
+  constexpr std::uintmax_t kLargest = std::uintmax_t{1} << 31U;  // bytes
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) throw std::invalid_argument("no such file");
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (error || size > kLargest) {
+    throw std::invalid_argument(error ? error.message() : "it is larger than 2 GiB");
+  }
+  std::string contents(size, '\0');
+  std::ifstream file(path, std::ios::binary);
+  if (!file.read(contents.data(), static_cast<std::streamsize>(size))) {
+    throw std::invalid_argument("it cannot be read");
+  }
+  return contents;
+}
+
 TriangleMesh readUnscaled(const std::string& path) {
   const std::string extension = lowerExtension(path);
   const std::vector<std::string> allowed{"stl", "obj", "ply", "dae"};
@@ -104,23 +143,11 @@ TriangleMesh readUnscaled(const std::string& path) {
     throw std::invalid_argument("extension '" + extension +
                                 "' is not a mesh's; expected stl, obj, ply or dae");
   }
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) throw std::invalid_argument("no such file");
-
-  Assimp::Importer importer;
-  keepOnly(extension, importer);
-  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
-  importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, aiComponent_NORMALS | aiComponent_COLORS |
-                                                          aiComponent_TEXCOORDS | aiComponent_TEXTURES |
-                                                          aiComponent_MATERIALS);
-  const aiScene* scene = importer.ReadFile(path, aiProcess_RemoveComponent | aiProcess_Triangulate);
-  if (!scene || !scene->mRootNode) {
-    throw std::invalid_argument(std::string("not readable as ") + extension + ": " +
-                                importer.GetErrorString());
-  }
-  MeshBuilder builder(*scene);
-  builder.add(*scene->mRootNode, aiMatrix4x4());
-  return std::move(builder.mesh);
+  const std::string contents = contentsOf(path);
+  if (extension == "ply") return readPly(contents);
+  if (extension == "stl") return readStl(contents);
+  if (extension == "obj") return readObj(contents);
+  return readCollada(path, contents);
 }
 
 }  // namespace

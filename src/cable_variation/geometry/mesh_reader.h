@@ -7,8 +7,10 @@
 namespace cable_variation {
 
 /// Reads a mesh file: STL, OBJ, PLY or COLLADA, told by its extension; no other
-/// importer looks at it. All meshes of the file become one, in the file's frame
-/// with its nodes' transforms applied and equal vertices merged. COLLADA's unit
+/// importer looks at it. The first three by readers of our own (mesh/), that name
+/// what is wrong; COLLADA by assimp, after mesh/collada_check.h. No other file is opened.
+/// All meshes of the file become one, in the file's frame with its nodes'
+/// transforms applied and equal vertices merged, polygons divided into triangles. COLLADA's unit
 /// is applied, its up axis is not: as RViz shows it.
 /// @param scale factor per axis onto metres; a mirroring one turns the triangles about
 /// Throws std::invalid_argument that names the file: another extension, not

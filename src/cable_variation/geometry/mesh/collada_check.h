@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+namespace cable_variation {
+
+/// Looks at a COLLADA document before an importer does that trusts it: arrays hold as many numbers as they
+/// announce; accessors stay within their arrays; primitives hold as many indices as they announce, whole
+/// numbers within what they index; nodes do not instance themselves, by way of others either, and all of them
+/// together are not more than kMostNodes; references lead to what is there.
+/// Throws std::invalid_argument with the line and what was expected.
+void checkCollada(const std::string& document);
+
+}  // namespace cable_variation
