@@ -2,6 +2,7 @@
 // where else they are as small; stretches that do not count.
 #include <cable_variation/geometry/distance.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -198,18 +199,59 @@ TEST(Distance, IntoABlindHoleOfDepthIsThatDepth) {
 }
 
 TEST(Distance, ThroughAnOpenSurfaceIsMinusTheRadius) {
-  TriangleMesh open = cube();
-  open.triangles.pop_back();
-  // through a face, and wholly inside: nothing is inside of what is open
-  const ClosestPair through = pairOf(test::straightCable({0.1, 0.0, 0.3}, {0.1, 0.0, 0.8}, 0.01, 4), open);
+  TriangleMesh lid = cube();  // its two facets at z = 0.5
+  lid.triangles.erase(std::remove_if(lid.triangles.begin(), lid.triangles.end(),
+                                     [&](const auto& facet) {
+                                       return std::any_of(facet.begin(), facet.end(), [&](std::uint32_t i) {
+                                         return lid.vertices[i].z() < 0.0;
+                                       });
+                                     }),
+                      lid.triangles.end());
+  ASSERT_EQ(lid.triangles.size(), 2U);
+  EXPECT_EQ(DistancePart(lid).openness().edges, 4U);
+  EXPECT_NEAR(DistancePart(lid).openness().length, 4.0, kExact);
+  const ClosestPair through = pairOf(test::straightCable({0.1, 0.0, 0.3}, {0.1, 0.0, 0.8}, 0.01, 4), lid);
   EXPECT_EQ(through.contact, Contact::pierced);
+  EXPECT_FALSE(through.is_depth);
   EXPECT_NEAR(through.distance, -0.01, kExact);
   EXPECT_NEAR((through.direction - Vector3d::UnitZ()).cross(through.direction + Vector3d::UnitZ()).norm(),
               0.0,
               kExact);  // one normal or the other
-  const ClosestPair within = pairOf(test::straightCable({0.3, 0.0, 0.0}, {0.4, 0.0, 0.0}, 0.01, 4), open);
-  EXPECT_EQ(within.contact, Contact::clear);
-  EXPECT_NEAR(within.distance, 0.09, kExact);
+  // far from it the winding number is clear: outside; 1 / 12 before a face of a cube as high as wide
+  const ClosestPair before = pairOf(test::straightCable({0.0, 0.0, 1.5}, {0.0, 0.0, 2.5}, 0.01, 4), lid);
+  EXPECT_EQ(before.side, ClosestPair::Side::wound);
+  EXPECT_NEAR(before.distance, 0.99, kExact);
+  // half a side away it is a sixth, not clear
+  const ClosestPair beside = pairOf(test::straightCable({0.0, 0.0, 0.0}, {0.0, 0.0, -1.0}, 0.01, 4), lid);
+  EXPECT_EQ(beside.side, ClosestPair::Side::undecided);
+  EXPECT_NEAR(std::abs(beside.winding), 1.0 / 6.0, 1e-9);
+  EXPECT_NEAR(beside.distance, 0.49, kExact);
+}
+
+// A cube of which facets are missing is inside where its winding number is clear.
+TEST(Distance, InAnOpenCubeIsInsideWhereThatIsClear) {
+  TriangleMesh open = cube();
+  open.triangles.pop_back();
+  const ClosestPair within = pairOf(test::straightCable({0.0, 0.0, 0.0}, {0.1, 0.05, 0.02}, 0.01), open);
+  EXPECT_EQ(within.side, ClosestPair::Side::wound);
+  EXPECT_NEAR(std::abs(within.winding), 11.0 / 12.0, 0.02);
+  EXPECT_TRUE(within.is_depth);
+  EXPECT_NEAR(within.distance, -0.51, 1e-8);
+  // without a whole face 5/6 in the middle: not clear, the value is the distance to what is there
+  TriangleMesh tray = cube();
+  tray.triangles.erase(std::remove_if(tray.triangles.begin(), tray.triangles.end(),
+                                      [&](const auto& facet) {
+                                        return std::all_of(facet.begin(), facet.end(), [&](std::uint32_t i) {
+                                          return tray.vertices[i].z() > 0.0;
+                                        });
+                                      }),
+                       tray.triangles.end());
+  ASSERT_EQ(tray.triangles.size(), 10U);
+  const ClosestPair in_tray = pairOf(test::straightCable({0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}, 0.01), tray);
+  EXPECT_EQ(in_tray.side, ClosestPair::Side::undecided);
+  EXPECT_NEAR(in_tray.winding, 5.0 / 6.0, 0.01);
+  EXPECT_FALSE(in_tray.is_depth);
+  EXPECT_NEAR(in_tray.distance, 0.49, kExact);
 }
 
 // Edges and corners right in the way, where a ray or a plane test may slip through.

@@ -73,7 +73,8 @@ bool anyWithin(const TriangleTree& tree, const Box& box, double distance) {
   return false;
 }
 
-// The corner of the core that is deepest within a solid of the part.
+// The corner of the core that is deepest within a solid of the part. What is open counts where its winding
+// number is clear.
 std::optional<BodyPair> deepestCorner(const PlacedBody& body, const Part& part) {
   std::optional<BodyPair> deepest;
   for (const Vector3d& corner : body.vertices()) {
@@ -81,12 +82,13 @@ std::optional<BodyPair> deepestCorner(const PlacedBody& body, const Part& part) 
       const Part::Nearest nearest = *part.nearestOn(solid, corner, std::numeric_limits<double>::infinity());
       const double value = -nearest.at.distance - body.radius();
       if (deepest && value >= deepest->distance) continue;
+      if (solid == part.openSolid() && !part.winding(corner).clear) continue;
       deepest = BodyPair();
       deepest->distance = value;
       deepest->on_body = corner + body.radius() * nearest.at.direction;
       deepest->on_other = nearest.at.point;
       deepest->facet = body.height(corner).facet;
-      deepest->triangle = part.tree.number[nearest.triangle];
+      deepest->triangle = part.sourceOf(nearest.triangle);
     }
   }
   return deepest;
@@ -120,15 +122,19 @@ BodyPair fromDepth(const PlacedBody& body, const Part& part, const DeepestPoint&
 // Up to `cutoff`. @param inside the core's centre lies in a solid
 std::optional<BodyPair> closestPlaces(const PlacedBody& body, const Part& part, bool inside, double cutoff) {
   const double reach = cutoff + body.radius();
-  if (!inside && !anyWithin(part.tree, body.box(), std::max(reach, 0.0))) return std::nullopt;
+  if (!inside && !anyWithin(part.tree, body.box(), std::max(reach, 0.0)) &&
+      !(part.caps && anyWithin(*part.caps, body.box(), 0.0))) {
+    return std::nullopt;
+  }
   std::optional<BodyPair> closest;
-  bool crosses = false;
+  // through an open rim a core may reach inside without touching the surface
+  bool crosses = part.caps && anyWithin(*part.caps, body.box(), 0.0);
   if (const auto deepest = deepestWithin(body, part.tree)) {
     crosses = true;
     closest = fromDepth(body, part, *deepest);
   } else if (reach >= 0.0) {
     if (const auto pair = closestPoints(body.facets(), part.tree, reach)) {
-      crosses = pair->distance < kTouching;
+      crosses = crosses || pair->distance < kTouching;
       closest = fromSurfaces(body, part, *pair);
     }
   }
@@ -166,7 +172,8 @@ std::optional<BodyPair> distance(const std::vector<const RoundedHull*>& bodies, 
     const double away = impl.nearest(there).at.distance;
     inside[i] = impl.solidsAround(there).empty() ? 0 : 1;
     const double key = away - reach - bodies[i]->radius;
-    const bool may_be_inside = inside[i] != 0 || (impl.solids.count > 0 && away < reach);
+    const bool may_be_inside = inside[i] != 0 || (impl.solids.count > 0 && away < reach) ||
+                               (impl.caps && distanceTo(*impl.caps, there, reach) < reach);
     candidates[i] = {i, key, may_be_inside ? -away - reach - bodies[i]->radius : key};
   });
   auto closest = closestOf(std::move(candidates), [&](std::size_t i, double cutoff) {

@@ -41,7 +41,9 @@ CrossingRay::Answer CrossingRay::crosses(const std::array<Eigen::Vector3d, 3>& c
   if (a == 0.0 || b == 0.0 || c == 0.0) return Answer::unclear;
   const double along = (a * sheared[0].z() + b * sheared[1].z() + c * sheared[2].z()) / (a + b + c);
   if (along == 0.0) return Answer::unclear;
-  return along > 0.0 ? Answer::yes : Answer::no;
+  if (along < 0.0) return Answer::no;
+  // the shear turns space over where z counts backwards
+  return (a + b + c > 0.0) == (direction_.z() > 0.0) ? Answer::leaves : Answer::enters;
 }
 
 }  // namespace cable_variation

@@ -14,7 +14,7 @@ namespace cable_variation {
 /// ray/triangle intersection, 2013: corners are sheared so that the line becomes an axis.)
 class CrossingRay {
  public:
-  enum class Answer { no, yes, unclear };
+  enum class Answer { no, leaves, enters, unclear };  ///< leaves: through a facet from behind
   static constexpr std::size_t kDirections = 8;
   static constexpr int kUnclear = -1;
 

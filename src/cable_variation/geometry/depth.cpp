@@ -7,7 +7,12 @@
 namespace cable_variation {
 namespace {
 
-constexpr double kTolerance = 1e-9;       // of a depth [m]
+constexpr double kTolerance = 1e-9;  // of a depth [m]
+// A depth that does not matter, half of what distances are promised to: a centreline that runs along a
+// surface closer than that is not searched all along for places inside [m]. So is one a little further off,
+// by so many intervals: what they could hide is less deep than twice their length.
+constexpr double kNoDepth = 5e-8;
+constexpr std::size_t kMostIntervals = 300000;
 constexpr double kNarrowest = 1e-13;      // part of a section
 constexpr double kOnSurface = 1e-10;      // below which it does not matter which side a place is on [m]
 constexpr double kOtherDirection = 0.01;  // between directions that count as two [rad]
@@ -69,7 +74,7 @@ class Search {
     const double sagitta = sagittaBound(control);
     for (const Sample* end : {&a, &b}) {
       const Sample& other = end == &a ? b : a;
-      const SurfaceTriangle& triangle = part_.tree.triangles[end->nearest.triangle];
+      const SurfaceTriangle& triangle = part_.boundary().triangles[end->nearest.triangle];
       const double there = nearestPoint(triangle, other.position).distance;
       made.deepest = std::min(made.deepest, std::max(std::abs(end->depth), there) + sagitta);
     }
@@ -80,7 +85,7 @@ class Search {
   // Where the distance to one triangle, radius included, is stationary: the deepest place, if smooth there.
   Sample polished(std::size_t number, const Sample& from) const {
     const TubeSection& section = sections_[number];
-    const SurfaceTriangle& triangle = part_.tree.triangles[from.nearest.triangle];
+    const SurfaceTriangle& triangle = part_.boundary().triangles[from.nearest.triangle];
     double u = from.u;
     for (int step = 0; step < kMostSteps; ++step) {
       const TubeSection::Derivatives curve = section.derivatives(u);
@@ -154,7 +159,7 @@ std::optional<Deepest> deepest(const DistancePart::Impl& part, std::uint32_t sol
     take(i, b);
     open.push(search.interval(i, a, b, sections[i].control));
   }
-  while (!open.empty()) {
+  for (std::size_t seen = 0; !open.empty() && seen < kMostIntervals; ++seen) {
     const Interval interval = open.top();
     open.pop();
     const double ends =
@@ -166,7 +171,7 @@ std::optional<Deepest> deepest(const DistancePart::Impl& part, std::uint32_t sol
       continue;
     }
     // what lies in the surface or outside is not inside
-    if (interval.deepest <= kTolerance || interval.b.u - interval.a.u < kNarrowest) continue;
+    if (interval.deepest <= kNoDepth || interval.b.u - interval.a.u < kNarrowest) continue;
     const Sample middle = search.sample(interval.section, 0.5 * (interval.a.u + interval.b.u), &interval.a);
     take(interval.section, middle);
     const auto [left, right] = halves(interval.control);
@@ -177,18 +182,28 @@ std::optional<Deepest> deepest(const DistancePart::Impl& part, std::uint32_t sol
   best.sample = search.polished(best.section, best.sample);
   best.value = search.value(best.section, best.sample);
 
-  Deepest result{-best.value, best.section, best.sample.u, best.sample.nearest,
+  Deepest result{-best.value,
+                 best.section,
+                 best.sample.u,
+                 best.sample.nearest,
+                 part.winding(best.sample.position),
                  std::numeric_limits<double>::infinity()};
+  constexpr std::size_t kPlacesAsked = 32;
+  const std::size_t step = 1 + found.size() / kPlacesAsked;
+  for (std::size_t i = 0; i < found.size() && !result.winding.clear; i += step) {
+    const DistancePart::Impl::Winding there = part.winding(found[i].sample.position);
+    if (there.clear) result.winding = there;
+  }
   const TubeSection& section = sections[best.section];
   const Eigen::Vector3d& x = best.sample.position;
   const double radius = section.radius(best.sample.u);
-  part.forEachNear(x, best.sample.depth + margin, [&](std::uint32_t triangle) {
+  forEachNear(part.boundary(), x, best.sample.depth + margin, [&](std::uint32_t triangle) {
     if (part.solidOf(triangle) != solid) return;
-    const NearestPoint at = nearestPoint(part.tree.triangles[triangle], x);
+    const NearestPoint at = nearestPoint(part.boundary().triangles[triangle], x);
     const double value = -at.distance - radius;
     if (at.distance <= best.sample.depth + margin &&
         (at.direction - best.sample.nearest.at.direction).norm() > kOtherDirection &&
-        part.isLocallyNearest(x, at)) {
+        isLocallyNearest(part.boundary(), x, at)) {
       result.runner_up = std::min(result.runner_up, std::max(value, result.value));
     }
   });

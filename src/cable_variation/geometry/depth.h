@@ -14,7 +14,9 @@ struct Deepest {
   double value = 0.0;  ///< minus the depth, minus the radius [m]
   std::size_t section = 0;
   double u = 0.0;
-  DistancePart::Impl::Nearest nearest;  ///< of the solid's surface
+  DistancePart::Impl::Nearest nearest;  ///< of the boundary
+  DistancePart::Impl::Winding winding;  ///< of the part's open shell: there, or if that is clear at another
+                                        ///< place inside, at that one
   double runner_up = std::numeric_limits<double>::infinity();
 };
 

@@ -18,8 +18,18 @@ struct ClosestPair {
     overlap,  ///< the cable's surface enters, its centreline does not: minus the depth
     pierced   ///< the centreline itself enters or lies inside; see distance()
   };
+  /// Whether the cable is inside of a part that is open (PartOpenness), as its winding number at `on_cable`
+  /// has it, or along the cable where it enters the part.
+  enum class Side {
+    known,     ///< the part is closed
+    wound,     ///< within kClearWinding of a whole number: inside, or outside if that is 0
+    undecided  ///< between: `distance` counts as if all that is open were outside
+  };
   double distance = 0.0;  ///< [m] between the surfaces, negative: overlap
   Contact contact = Contact::clear;
+  bool is_depth = false;  ///< pierced: `distance` is minus a depth and the radius, else minus the radius
+  Side side = Side::known;
+  double winding = 0.0;                          ///< of what is open of the part, unless the side is known
   Centreline::Place place;                       ///< on the cable
   Eigen::Vector3d on_cable;                      ///< on the centreline [m, world]
   Eigen::Vector3d on_other;                      ///< on the part, or on the other centreline [m, world]
@@ -35,6 +45,16 @@ struct SkippedStretch {
   double start = 0.0, end = 0.0;
 };
 
+/// How far from a whole number a generalised winding number still tells inside from outside.
+constexpr double kClearWinding = 0.1;
+
+/// What keeps a part's surface, welded (mesh/welded_surface.h), from being closed.
+struct PartOpenness {
+  std::size_t edges = 0;  ///< without a neighbour; 0: the part is closed
+  double length = 0.0;    ///< of its rims [m]
+  bool isOpen() const { return edges > 0; }
+};
+
 /// A rigid part made ready for distance queries: a bounding volume hierarchy,
 /// and which of its shells are closed. Immutable; may be shared by threads.
 class DistancePart {
@@ -44,6 +64,8 @@ class DistancePart {
   ~DistancePart();
   DistancePart(DistancePart&&) noexcept;
   DistancePart& operator=(DistancePart&&) noexcept;
+
+  PartOpenness openness() const;
 
   struct Impl;
   const Impl& impl() const { return *impl_; }
@@ -66,10 +88,11 @@ struct DistanceSearch {
 
 /// The closest pair of a cable and a part at `pose` (world), exact to 1e-7 m for any size and placement of
 /// the triangles: the smallest distance of the part from a place of the centreline, less the radius there.
-/// Within a solid of the part, that is one of its closed shells, minus the depth below its surface takes the
-/// distance's place; so a centreline that pierces or lies inside has minus the depth of its deepest point,
-/// minus the radius there. (Which shells are closed: solids.h. An overlap of solids is as deep as its
-/// deepest.) Where it pierces an open surface the value is minus the radius. Ends of the cable count as
+/// Within a solid of the part (solids.h) minus the depth below its surface takes the distance's place; so a
+/// centreline that pierces or lies inside has minus the depth of its deepest point, minus the radius there.
+/// An overlap of solids is as deep as its deepest. What is open is taken for a solid whose rims are closed by
+/// caps, if its winding number says so (ClosestPair::Side) at the deepest point or another place inside.
+/// Where the centreline pierces what is no solid the value is minus the radius. Ends of the cable count as
 /// round: a sphere about the last point. Local minima within `margin` [m] of the smallest are looked for
 /// (runner_up): more than two radii along the cable away, or seen in a direction that differs by more than
 /// 0.01 rad. None when all of the cable is skipped. Throws std::invalid_argument for what is no cable, pose

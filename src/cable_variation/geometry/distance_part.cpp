@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <cable_variation/geometry/crossing_ray.h>
+#include <cable_variation/geometry/mesh/winding_number.h>
 
 namespace cable_variation {
 namespace {
@@ -16,11 +17,19 @@ bool meets(const CrossingRay& ray, const Box& box) {
   return std::max(a.min(b).maxCoeff(), 0.0) <= a.max(b).minCoeff();
 }
 
-// Numbers of the shells that a ray crosses, once for each crossing; none if it is unclear.
-std::optional<std::vector<std::uint32_t>> crossings(const DistancePart::Impl& part, const CrossingRay& ray) {
-  std::vector<std::uint32_t> crossed, open = {0};
+// A shell that a ray crosses.
+struct Crossing {
+  std::uint32_t shell;
+  int turn;  // 1: the ray leaves, -1: it enters
+};
+
+// One for each crossing; none if it is unclear.
+std::optional<std::vector<Crossing>> crossings(const DistancePart::Impl& part, const CrossingRay& ray) {
+  const TriangleTree& tree = part.boundary();
+  std::vector<Crossing> crossed;
+  std::vector<std::uint32_t> open = {0};
   while (!open.empty()) {
-    const TriangleTree::Node& node = part.tree.nodes[open.back()];
+    const TriangleTree::Node& node = tree.nodes[open.back()];
     open.pop_back();
     if (!meets(ray, node.box)) continue;
     if (node.count == 0) {
@@ -28,12 +37,21 @@ std::optional<std::vector<std::uint32_t>> crossings(const DistancePart::Impl& pa
       open.push_back(node.first + 1);
     }
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-      const std::uint32_t number = part.tree.number[i];
+      const std::uint32_t number = tree.number[i];
       const std::uint32_t shell = part.solids.shell[number];
-      if (shell == Solids::kOpen) continue;
-      const auto answer = ray.crosses(part.tree.triangles[i].corners, part.solids.corners[number]);
-      if (answer == CrossingRay::Answer::unclear) return std::nullopt;
-      if (answer == CrossingRay::Answer::yes) crossed.push_back(shell);
+      if (shell == Solids::kNone) continue;
+      switch (ray.crosses(tree.triangles[i].corners, part.solids.corners[number])) {
+        case CrossingRay::Answer::unclear:
+          return std::nullopt;
+        case CrossingRay::Answer::leaves:
+          crossed.push_back({shell, 1});
+          break;
+        case CrossingRay::Answer::enters:
+          crossed.push_back({shell, -1});
+          break;
+        case CrossingRay::Answer::no:
+          break;
+      }
     }
   }
   return crossed;
@@ -79,56 +97,85 @@ std::optional<DistancePart::Impl::Nearest> nearestAmong(const TriangleTree& tree
 DistancePart::Impl::Impl(const TriangleMesh& mesh) : tree(mesh), solids(mesh) {
   place_in_tree.resize(tree.number.size());
   for (std::uint32_t i = 0; i < tree.number.size(); ++i) place_in_tree[tree.number[i]] = i;
+  if (!solids.boundary.triangles.empty()) welded.emplace(solids.boundary);
+  if (!solids.caps.triangles.empty()) caps.emplace(solids.caps);
 }
 
-std::vector<std::uint32_t> DistancePart::Impl::solidsAround(const Eigen::Vector3d& x) const {
+DistancePart::Impl::Around DistancePart::Impl::around(const Eigen::Vector3d& x) const {
+  Around result;
   if (std::none_of(solids.shells.begin(), solids.shells.end(),
                    [&](const Solids::Shell& shell) { return !shell.cavity && shell.box.contains(x); })) {
-    return {};
+    return result;
   }
   for (std::size_t direction = 0; direction < CrossingRay::kDirections; ++direction) {
-    std::optional<std::vector<std::uint32_t>> crossed = crossings(*this, CrossingRay(x, direction));
+    std::optional<std::vector<Crossing>> crossed = crossings(*this, CrossingRay(x, direction));
     if (!crossed) continue;
-    std::sort(crossed->begin(), crossed->end());
-    std::vector<std::uint32_t> around, in_cavity;
+    std::sort(crossed->begin(), crossed->end(),
+              [](const Crossing& a, const Crossing& b) { return a.shell < b.shell; });
+    std::vector<std::uint32_t> in_cavity;
     for (std::size_t i = 0, end; i < crossed->size(); i = end) {
-      const std::uint32_t number = (*crossed)[i];
-      for (end = i + 1; end < crossed->size() && (*crossed)[end] == number;) ++end;
-      if ((end - i) % 2 == 0) continue;
+      const std::uint32_t number = (*crossed)[i].shell;
+      int turns = 0;
+      for (end = i; end < crossed->size() && (*crossed)[end].shell == number; ++end) {
+        turns += (*crossed)[end].turn;
+      }
+      const bool is_open = solids.open == number;
+      if (is_open) result.open_turns = turns;
+      if (is_open ? turns == 0 : (end - i) % 2 == 0) continue;
       const Solids::Shell& shell = solids.shells[number];
-      (shell.cavity ? in_cavity : around).push_back(shell.solid);
+      (shell.cavity ? in_cavity : result.solids).push_back(shell.solid);
     }
     const auto hollow = [&](std::uint32_t solid) {
       return std::find(in_cavity.begin(), in_cavity.end(), solid) != in_cavity.end();
     };
-    around.erase(std::remove_if(around.begin(), around.end(), hollow), around.end());
-    return around;
+    result.solids.erase(std::remove_if(result.solids.begin(), result.solids.end(), hollow),
+                        result.solids.end());
+    return result;
   }
-  return {};  // x lies on the surface
+  return result;  // x lies on the surface
+}
+
+DistancePart::Impl::Winding DistancePart::Impl::winding(const Eigen::Vector3d& x) const {
+  Winding result;
+  if (!isOpen()) return result;
+  const int turns = around(x).open_turns;
+  result.number = turns;
+  if (caps) {
+    for (const SurfaceTriangle& cap : caps->triangles) result.number -= windingNumber(cap.corners, x);
+  }
+  const double whole = std::round(result.number);
+  result.clear = std::abs(result.number - whole) <= kClearWinding && (whole != 0.0) == (turns != 0);
+  return result;
 }
 
 std::optional<DistancePart::Impl::Nearest> DistancePart::Impl::nearestOn(std::uint32_t solid,
                                                                          const Eigen::Vector3d& x,
                                                                          double bound) const {
-  return nearestAmong(tree, x, bound, [&](std::uint32_t i) { return solidOf(i) == solid; });
+  return nearestAmong(boundary(), x, bound, [&](std::uint32_t i) { return solidOf(i) == solid; });
 }
 
 DistancePart::Impl::Nearest DistancePart::Impl::nearest(const Eigen::Vector3d& x) const {
   return *nearestAmong(tree, x, std::numeric_limits<double>::infinity(), [](std::uint32_t) { return true; });
 }
 
-bool DistancePart::Impl::isLocallyNearest(const Eigen::Vector3d& x, const NearestPoint& at) const {
+bool isLocallyNearest(const TriangleTree& tree, const Eigen::Vector3d& x, const NearestPoint& at) {
   constexpr double kTouching = 1e-9, kNearer = 1e-12;  // [m]
   if (at.on == NearestPoint::On::face) return true;
   bool nearest = true;
-  forEachNear(at.point, kTouching, [&](std::uint32_t i) {
+  forEachNear(tree, at.point, kTouching, [&](std::uint32_t i) {
     if (nearestPoint(tree.triangles[i], at.point).distance > kTouching) return;
     if (nearestPoint(tree.triangles[i], x).distance < at.distance - kNearer) nearest = false;
   });
   return nearest;
 }
 
+double distanceTo(const TriangleTree& tree, const Eigen::Vector3d& x, double bound) {
+  const auto nearest = nearestAmong(tree, x, bound, [](std::uint32_t) { return true; });
+  return nearest ? nearest->at.distance : bound;
+}
+
 DistancePart::DistancePart(const TriangleMesh& mesh) : impl_(std::make_unique<Impl>(mesh)) {}
+PartOpenness DistancePart::openness() const { return {impl_->solids.rim_edges, impl_->solids.rim_length}; }
 DistancePart::~DistancePart() = default;
 DistancePart::DistancePart(DistancePart&&) noexcept = default;
 DistancePart& DistancePart::operator=(DistancePart&&) noexcept = default;

@@ -60,7 +60,8 @@ bool isWithin(const TriangleMesh& mesh, const Component& inner, const Component&
     for (const std::uint32_t triangle : outer.triangles) {
       const auto& [a, b, c] = mesh.triangles[triangle];
       switch (ray.crosses({mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]}, {a, b, c})) {
-        case CrossingRay::Answer::yes:
+        case CrossingRay::Answer::leaves:
+        case CrossingRay::Answer::enters:
           ++crossings;
           break;
         case CrossingRay::Answer::unclear:

@@ -119,7 +119,7 @@ bool isLocalMinimum(const std::vector<TubeSection>& sections, const Part& part, 
       descends(sections[cell.section - 1], 1.0, -1.0)) {
     return false;
   }
-  return part.isLocallyNearest(section.position(cell.at.u), nearest);
+  return isLocallyNearest(part.tree, section.position(cell.at.u), nearest);
 }
 
 double runnerUp(const Centreline& cable, const std::vector<TubeSection>& sections, const Part& part,
@@ -166,9 +166,16 @@ std::vector<std::uint32_t> solidsTouched(const Part& part, std::vector<TubeSecti
   for (const Cell& cell : Walk(sections, tree, part.tree, nullptr, kInfinity, kTouching).run()) {
     if (cell.at.value > kTouching) continue;
     touches = true;
-    solids.push_back(part.solidOf(cell.triangle));
+    solids.push_back(part.solidOfTriangle(cell.triangle));
   }
   return solids;
+}
+
+// Whether the centreline crosses a rim that has no facet beyond it.
+bool crossesCaps(const Part& part, std::vector<TubeSection> sections) {
+  if (!part.caps) return false;
+  for (TubeSection& section : sections) section.start_radius = section.end_radius = 0.0;
+  return !Walk(sections, SectionTree(sections), *part.caps, nullptr, 0.0, kTouching).run().empty();
 }
 
 // The solids that hold one of the unbroken stretches wholly, and those that are touched.
@@ -176,6 +183,7 @@ std::vector<std::uint32_t> solidsEntered(const Part& part, const std::vector<Tub
                                          double value, bool& touches) {
   std::vector<std::uint32_t> solids;
   if (value < 0.0) solids = solidsTouched(part, sections, touches);
+  if (crossesCaps(part, sections)) solids.push_back(part.openSolid());
   for (std::size_t first = 0, last; first < sections.size(); first = last + 1) {
     for (last = first; sections[last].continued;) ++last;
     for (const std::uint32_t solid : part.solidsAround(sections[(first + last) / 2].middle)) {
@@ -184,7 +192,7 @@ std::vector<std::uint32_t> solidsEntered(const Part& part, const std::vector<Tub
   }
   std::sort(solids.begin(), solids.end());
   solids.erase(std::unique(solids.begin(), solids.end()), solids.end());
-  if (!solids.empty() && solids.back() == Solids::kOpen) solids.pop_back();
+  if (!solids.empty() && solids.back() == Solids::kNone) solids.pop_back();
   return solids;
 }
 
@@ -256,9 +264,14 @@ std::optional<ClosestPair> distance(const Centreline& cable, const DistancePart&
       solidsEntered(impl, sections, cells.empty() ? 0.0 : cells.front().at.value, touches);
 
   std::optional<Deepest> deep;
+  std::optional<Part::Winding> undecided;
   for (const std::uint32_t solid : solids) {
     std::optional<Deepest> in = deepest(impl, solid, sections, margin);
     if (!in) continue;
+    if (solid == impl.openSolid() && !in->winding.clear) {
+      undecided = in->winding;
+      continue;
+    }
     if (deep) {
       Deepest& other = in->value < deep->value ? *deep : *in;
       Deepest& first = in->value < deep->value ? *in : *deep;
@@ -268,13 +281,21 @@ std::optional<ClosestPair> distance(const Centreline& cable, const DistancePart&
       deep = in;
     }
   }
+  const auto tell = [&](ClosestPair& pair, const Part::Winding& winding) {
+    if (!impl.isOpen()) return;
+    const Part::Winding& said = undecided ? *undecided : winding;
+    pair.winding = said.number;
+    pair.side = said.clear ? ClosestPair::Side::wound : ClosestPair::Side::undecided;
+  };
   if (deep) {
     ClosestPair pair = inWorld(pose, sections[deep->section], deep->u, deep->nearest.at,
-                               impl.tree.number[deep->nearest.triangle]);
+                               impl.sourceOf(deep->nearest.triangle));
     pair.distance = deep->value;
     pair.direction = -pair.direction;
     pair.contact = ClosestPair::Contact::pierced;
+    pair.is_depth = true;
     pair.runner_up = deep->runner_up;
+    tell(pair, deep->winding);
     return pair;
   }
   if (cells.empty()) return std::nullopt;
@@ -286,6 +307,7 @@ std::optional<ClosestPair> distance(const Centreline& cable, const DistancePart&
                  : pair.distance < 0.0 ? ClosestPair::Contact::overlap
                                        : ClosestPair::Contact::clear;
   pair.runner_up = runnerUp(cable, sections, impl, cells, margin);
+  if (impl.isOpen()) tell(pair, impl.winding(sections[best.section].position(best.at.u)));
   return pair;
 }
 

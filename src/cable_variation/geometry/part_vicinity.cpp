@@ -45,8 +45,8 @@ PartVicinity::PartVicinity(const Centreline& cable, const DistancePart& part, co
   const std::vector<TubeSection> sections = sectionsOf(cable, pose, {});
   const std::vector<std::uint32_t> near = trianglesNear(sections, whole, reach);
   if (near.empty()) {
-    // nothing crosses it: one place tells of all
-    outside_ = part.impl().solidsAround(sections.front().middle).empty();
+    // nothing crosses it: one place tells of all, unless there are holes to go through
+    outside_ = !part.impl().isOpen() && part.impl().solidsAround(sections.front().middle).empty();
     return;
   }
   TriangleMesh mesh;
