@@ -113,8 +113,12 @@ void checkMaterialOf(const YamlCursor& owner) {
 std::vector<YamlCursor> namedItems(const YamlCursor& root, const std::string& key, const std::string& kind) {
   const auto list = root.find(key);
   if (!list) return {};
-  std::vector<YamlCursor> items = list->items();
-  for (YamlCursor& item : items) item = item.labelled(kind + " '" + item.text("name") + "'");
+  const std::vector<YamlCursor> unnamed = list->items();
+  std::vector<YamlCursor> items;
+  items.reserve(unnamed.size());
+  for (const YamlCursor& item : unnamed) {
+    items.push_back(item.labelled(kind + " '" + item.text("name") + "'"));
+  }
   return items;
 }
 
