@@ -1,11 +1,22 @@
 #include <cable_variation/harness/station_unknowns.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include <cable_variation/math/so3.h>
 
 namespace cable_variation {
-namespace {}  // namespace
+namespace {
+
+// The same rotation by an angle of at most π, about the same axis: a spring that was wound further would act
+// as if it were locked.
+Eigen::Vector3d withinHalfTurn(const Eigen::Vector3d& rotation) {
+  const double angle = rotation.norm();
+  if (angle <= M_PI) return rotation;
+  return std::remainder(angle, 2.0 * M_PI) / angle * rotation;
+}
+
+}  // namespace
 
 StationUnknowns::StationUnknowns(const Harness& harness, const Topology& topology)
     : harness_(harness), topology_(topology), layout_(topology.stations.size()) {
@@ -176,11 +187,11 @@ void StationUnknowns::move(const Eigen::VectorXd& step, Configuration& configura
       at.pose.position += shift;
     }
     if (layout.rotation_vector) {
-      at.rotation += turn;
+      at.rotation = withinHalfTurn(at.rotation + turn);
     } else {
       at.pose.orientation = at.pose.orientation * so3::exp(turn);
     }
-    if (layout.hinge >= 0) at.hinge_angle += step[layout.hinge];
+    if (layout.hinge >= 0) at.hinge_angle = std::remainder(at.hinge_angle + step[layout.hinge], 2.0 * M_PI);
     if (layout.slide >= 0) at.arc_length += step[layout.slide];
   }
   placeStations(harness_, topology_, configuration);
