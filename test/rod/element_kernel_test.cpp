@@ -157,7 +157,7 @@ TEST_P(ElementKernelTest, HessianIsTheSecondDerivativeOfTheEnergy) {
 
 TEST_P(ElementKernelTest, ArcLengthDerivativesAreThoseOfTheEnergy) {
   ArcLength out;
-  GetParam()->arcLength(input_, slope_, out);
+  GetParam()->arcLength(input_, slope_, out, false);
   const auto at = [&](double left, double right) {
     Input in = input_;
     InputSlope unused;

@@ -33,13 +33,13 @@ LinearResponse::LinearResponse(RodSystem& system, const Configuration& configura
   const element::Kernel& kernel = element::kernel();
   for (std::size_t b = 0; b < explicit_.size(); ++b) {
     const RodSystem::Batch& batch = system.batches_[b];
-    kernel.arcLength(batch.input, batch.slope, explicit_[b].by_arc_length);
+    kernel.arcLength(batch.input, batch.slope, explicit_[b].by_arc_length, false);
     element::Input input = batch.input;
     element::InputSlope slope = batch.slope;
     std::fill(&input.load[0][0][0], &input.load[0][0][0] + kGauss * 3 * kLanes, 0.0);
     std::fill(&slope.load[0][0][0], &slope.load[0][0][0] + kGauss * 3 * kLanes, 0.0);
     kernel.energy(input, explicit_[b].elastic);
-    kernel.arcLength(input, slope, explicit_[b].elastic_by_arc_length);
+    kernel.arcLength(input, slope, explicit_[b].elastic_by_arc_length, false);
   }
   response_.motion = system.zeroField();
   for (std::size_t i = 0; i < system.spans_.size(); ++i) {
@@ -114,7 +114,7 @@ void LinearResponse::differentiateProperties(const CableRate& cable) {
       for (int lane = 0; lane < kLanes; ++lane) change.elastic_energy[lane] += factor * energy.elastic[lane];
       if (!system_.has_slides_) continue;
       element::ArcLength arc_length;
-      kernel.arcLength(inputs[side][j], slopes[side][j], arc_length);
+      kernel.arcLength(inputs[side][j], slopes[side][j], arc_length, false);
       for (int end = 0; end < 2; ++end) {
         for (int lane = 0; lane < kLanes; ++lane) {
           change.arc_length_gradient[end][lane] += factor * arc_length.gradient[end][lane];

@@ -90,8 +90,9 @@ struct Kernel {
   void (*hessian)(const Input&, Energy&, Factor&, bool given_stress);
   /// Section force and moment after `motion` [kDofs][kLanes], to first order, into `stress` as in Input.
   void (*predict)(const Input&, const double (*motion)[kLanes], double (*stress)[6][kLanes]);
-  /// Derivatives with respect to arc length.
-  void (*arcLength)(const Input&, const InputSlope&, ArcLength&);
+  /// Derivatives with respect to arc length; the gradient with the section forces and moments there are, or
+  /// linearised about Input::stress, which is the same at rest.
+  void (*arcLength)(const Input&, const InputSlope&, ArcLength&, bool given_stress);
   /// Adds shift to the Hessian's diagonal, then eliminates the inner nodes.
   /// `shift` [kDofs][kLanes]. negative_pivots per lane.
   void (*factorise)(Factor&, const double (*shift)[kLanes], int* negative_pivots);

@@ -25,6 +25,7 @@ inline Vec operator-(Vec a, Vec b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 inline Vec operator*(Pack s, Vec a) { return {s * a.x, s * a.y, s * a.z}; }
 inline Vec operator*(double s, Vec a) { return {s * a.x, s * a.y, s * a.z}; }
 inline Vec scale(Vec a, Vec b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
+inline Vec divide(Vec a, Vec b) { return {a.x / b.x, a.y / b.y, a.z / b.z}; }
 inline Pack dot(Vec a, Vec b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 inline Vec cross(Vec a, Vec b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
@@ -362,7 +363,11 @@ void expand(const Factor& factor, double (*x)[kLanes]) {
 
 // With the nodes' poses held, the element's ends move along the rod: its length
 // changes by dh and its Gauss points look at another place of the rod, ds on.
-void arcLength(const Input& in, const InputSlope& slope, ArcLength& out) {
+//
+// The gradient holds half of stress times strain. With given stresses these are taken for it: the square of
+// the stretch that a finite rotation feigns is in a slender rod a force as large as the true ones, and
+// Newton's step, which takes the stretch away, knows nothing of it.
+void arcLength(const Input& in, const InputSlope& slope, ArcLength& out, bool given_stress) {
   for (int lane = 0; lane < kLanes; lane += kWidth) {
     const Pack length = load(in.length + lane);
     const Pack inverse_length = 1.0 / length;
@@ -388,9 +393,16 @@ void arcLength(const Input& in, const InputSlope& slope, ArcLength& out) {
       const Vec m_s = softening - scale(s.k_omega, rest_s);
       const Vec n_h = (-1.0 * inverse_length) * scale(s.k_gamma, s.gamma);
       const Vec m_h = (-1.0 * inverse_length) * scale(s.k_omega, s.omega);
-      const Pack stored = 0.5 * (dot(s.n, s.gamma_strain) + dot(s.m, s.omega_strain));
-      const Pack stored_s =
-          0.5 * (dot(n_s, s.gamma_strain) + dot(softening, s.omega_strain)) - dot(s.m, rest_s);
+      Pack stored = 0.5 * (dot(s.n, s.gamma_strain) + dot(s.m, s.omega_strain));
+      Pack stored_s = 0.5 * (dot(n_s, s.gamma_strain) + dot(softening, s.omega_strain)) - dot(s.m, rest_s);
+      if (given_stress) {
+        const Vec n = loadVec(in.stress[g], lane), m = loadVec(in.stress[g] + 3, lane);
+        const Vec gamma = divide(n, s.k_gamma), omega = divide(m, s.k_omega);
+        stored = 0.5 * (dot(n, gamma) + dot(m, omega));
+        stored_s = 0.5 * (dot(scale(loadVec(slope.stiffness[g], lane), gamma), gamma) +
+                          dot(scale(k_omega_s, omega), omega)) -
+                   dot(s.m, rest_s);
+      }
       const Pack e = stored - dot(s.n, s.gamma) - dot(s.m, s.omega) - dot(f, x);
       const Pack a = stored_s - dot(f_s, x);
       const Pack e_h = -1.0 * (dot(n_h, s.gamma) + dot(m_h, s.omega));
