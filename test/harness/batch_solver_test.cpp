@@ -177,7 +177,8 @@ TEST_P(BatchSolverOf, FindsWhatUpdateFinds) {
   Deviation deviation(1);
   std::vector<Harness> harnesses;
   for (int i = 0; i < 16; ++i) harnesses.push_back(deviation.of(GetParam().harness));
-  expectFoundByUpdate(GetParam().harness, harnesses, 2);
+  // a quarter at most: the nominal grid leaves half of the error, which some of the others double
+  expectFoundByUpdate(GetParam().harness, harnesses, 4);
 }
 
 std::vector<NamedHarness> batchTable() {

@@ -15,13 +15,17 @@ double errorOfFiner(double difference, double length) {
   return difference / (difference > kAsymptotic * length ? kOrderTwo : kOrderThree);
 }
 
-DiscretisationError estimateDiscretisation(const RodSystem& fine, RodSystem& coarse,
-                                           const Configuration& on_coarse, bool stable) {
+DiscretisationError estimateDiscretisation(RodSystem& fine, RodSystem& coarse, const Configuration& on_coarse,
+                                           bool stable) {
   // Away from its own equilibrium the coarse grid's stiffness against a neutral motion is not zero, but small
   // of either sign: up to this share of the bending stiffness.
   constexpr double kLargestShift = 1e-2;
   DiscretisationError error;
-  coarse.evaluate(on_coarse, RodSystem::Hessian::exact);
+  // A slender rod's own section forces would be those of the little by which the grids' curves differ in
+  // length.
+  fine.holdStress();
+  coarse.takeStress(fine);
+  coarse.evaluate(on_coarse, RodSystem::Hessian::predicted);
   for (std::size_t i = 0; i < coarse.grid().size(); ++i) {
     error.contribution.emplace_back();
     for (std::size_t k = 0; k < coarse.elementCount(i); ++k) {
@@ -29,21 +33,20 @@ DiscretisationError estimateDiscretisation(const RodSystem& fine, RodSystem& coa
       error.contribution.back().push_back(std::abs(coarse.elementEnergy(i, k) - halves));
     }
   }
-  double shift = kNeutralShift;
+  double shift = neutralShift(coarse);
   while (coarse.factorise(shift, coarse.bendingMetric()) > 0 && stable) {
     shift *= 100.0;
     if (shift > kLargestShift) {
       error.centreline = std::numeric_limits<double>::infinity();
       return error;
     }
-    coarse.evaluate(on_coarse, RodSystem::Hessian::exact);
+    coarse.evaluate(on_coarse, RodSystem::Hessian::predicted);
   }
   NodalField force = coarse.gradient();
   force.scale(-1.0);
-  NodalField step;
-  coarse.solve(force, step);
+  coarse.solve(force, error.step);
   double difference = 0.0;
-  for (const auto& nodes : step.spans) {
+  for (const auto& nodes : error.step.spans) {
     difference = std::max(difference, nodes.topRows<3>().colwise().norm().maxCoeff());
   }
   error.centreline = errorOfFiner(difference, largestArcLength(on_coarse));

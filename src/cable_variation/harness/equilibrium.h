@@ -79,8 +79,10 @@ struct Alternative {
 
 struct Equilibrium {
   EquilibriumStatus status = EquilibriumStatus::not_converged;
-  std::string message;    ///< for a person; names the cable or clip when status is not converged
-  int iterations = 0;     ///< Newton steps, all starts and grids together
+  std::string message;             ///< for a person; names the cable or clip when status is not converged
+  std::vector<std::string> notes;  ///< what a person should know of a converged one: twist that was asked for
+                                   ///< and became loops
+  int iterations = 0;              ///< Newton steps, all starts and grids together
   double residual = 0.0;  ///< largest out-of-balance force [N] (moments over the cable's radius of gyration)
   double discretisation_error = 0.0;  ///< estimate of the centreline's distance from the continuum [m]
   EnergyTerms energy;
@@ -95,9 +97,12 @@ struct Equilibrium {
 };
 
 struct EquilibriumOptions {
-  double accuracy = 1e-4;    ///< of every centreline [m]; the grid adapts to it
-  bool multi_start = true;   ///< look for the lowest of several stable equilibria when solving from nothing
-  bool eigenvalue = true;    ///< compute smallest_eigenvalue (stability itself is always checked)
+  double accuracy = 1e-4;   ///< of every centreline [m]; the grid adapts to it
+  bool multi_start = true;  ///< look for the lowest of several stable equilibria when solving from nothing
+  bool eigenvalue = true;   ///< compute smallest_eigenvalue (stability itself is always checked)
+  /// Of smallest_eigenvalue, relative to itself or to a hundredth of the softest bending stiffness; the grid
+  /// adapts to it.
+  double eigenvalue_accuracy = 1e-3;
   int max_iterations = 400;  ///< per start
 };
 

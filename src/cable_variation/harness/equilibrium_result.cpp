@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include <cable_variation/harness/grid.h>
+#include <cable_variation/harness/held_piece.h>
 #include <cable_variation/harness/shape_point.h>
 #include <cable_variation/rod/profile.h>
 
@@ -161,35 +162,16 @@ double largestDistance(const Grid& grid_a, const Configuration& a, const Grid& g
 
 std::string unreachable(const Harness& harness, const Topology& topology, const Configuration& configuration,
                         double stretch) {
-  const auto held = [&](const Station& station, bool must_not_slide) {
-    if (!station.clip) return false;
-    const ClipConstraint& constraint = harness.clips[*station.clip].constraint;
-    return constraint.locksPosition() && !(must_not_slide && constraint.slides);
-  };
-  for (std::size_t c = 0; c < harness.cables.size(); ++c) {
-    const Station* start = nullptr;
-    double distance = 0.0;
-    Eigen::Vector3d last = Eigen::Vector3d::Zero();
-    for (std::size_t index : topology.cable_stations[c]) {
-      const Station& station = topology.stations[index];
-      if (!held(station, false)) continue;
-      const Eigen::Vector3d here = configuration.stations[index].pose.position;
-      if (start != nullptr) distance += (here - last).norm();
-      last = here;
-      if (!held(station, true)) continue;
-      if (start != nullptr) {
-        const double between = station.arc_length - start->arc_length;
-        if (distance > (1.0 + stretch) * between) {
-          std::ostringstream text;
-          text << "clips '" << harness.clips[*start->clip].name << "' and '"
-               << harness.clips[*station.clip].name << "' are " << 1e3 * distance << " mm apart, but only "
-               << 1e3 * between << " mm of cable '" << harness.cables[c].name << "' lie between them";
-          return text.str();
-        }
-      }
-      start = &station;
-      distance = 0.0;
-    }
+  for (const HeldPiece& piece : heldPieces(harness, topology, configuration)) {
+    if (piece.distance <= (1.0 + stretch) * piece.length) continue;
+    const auto clip = [&](std::size_t station) {
+      return "'" + harness.clips[*topology.stations[station].clip].name + "'";
+    };
+    std::ostringstream text;
+    text << "clips " << clip(piece.first) << " and " << clip(piece.last) << " are " << 1e3 * piece.distance
+         << " mm apart, but only " << 1e3 * piece.length << " mm of cable '"
+         << harness.cables[piece.cable].name << "' lie between them";
+    return text.str();
   }
   return {};
 }

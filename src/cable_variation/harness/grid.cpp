@@ -36,12 +36,22 @@ Pose interpolate(const SpanConfiguration& span, const std::vector<double>& bound
 
 Grid startGrid(const Harness& harness, const Topology& topology) {
   constexpr double kElementsPerCable = 4.0;
-  // Turns about a straight centreline do not move it, so its error would not ask for more elements.
-  constexpr double kLargestTwist = 1.6;  // of an element [rad]: leaves 1e-5 of the torque
+  // Turns about a straight centreline do not move it, so its error would not ask for more elements; and a
+  // preformed cable must be able to take its form.
+  constexpr double kLargestTurn = 1.6;  // of an element [rad]: leaves 1e-5 of the torque
+  std::vector<double> turns;
+  for (const Cable& cable : harness.cables) {
+    double turn = std::abs(cable.twist.value_or(0.0));
+    for (std::size_t i = 0; i < cable.rest_curvature.size(); ++i) {
+      const bool last = i + 1 == cable.rest_curvature.size();
+      const double end = last ? cable.length : cable.rest_curvature[i + 1].arc_length;
+      turn += cable.rest_curvature[i].curvature.norm() * (end - cable.rest_curvature[i].arc_length);
+    }
+    turns.push_back(turn);
+  }
   Grid grid;
   for (const Span& span : topology.spans) {
-    const double twist = harness.cables[span.cable].twist.value_or(0.0);
-    const double elements = std::max(kElementsPerCable, std::abs(twist) / kLargestTwist);
+    const double elements = std::max(kElementsPerCable, turns[span.cable] / kLargestTurn);
     const double length = topology.stations[span.right].arc_length - topology.stations[span.left].arc_length;
     const double share = length / harness.cables[span.cable].length;
     const int pairs = std::max(1, static_cast<int>(std::ceil(0.5 * elements * share - 1e-9)));

@@ -96,14 +96,53 @@ GuideCurve GuideCurve::between(const GuideAnchor& a, const GuideAnchor& b, const
   return guide;
 }
 
-GuideCurve GuideCurve::straight(double arc_length, const Pose& pose, double length) {
-  const Eigen::Vector3d tangent = pose.orientation * Eigen::Vector3d::UnitX();
+GuideCurve GuideCurve::free(const RodProfile& cable, double arc_length, const Pose& pose, double length) {
+  constexpr double kLargestTurn = 0.1;  // of a step [rad]
+  const auto restCurvature = [&](double share) {
+    return Eigen::Vector3d(cable.at(arc_length + share * length).rest_curvature);
+  };
+  double turn = 0.0;
+  for (int i = 0; i < kSamples; ++i) {
+    turn += restCurvature((i + 0.5) / kSamples).norm() * std::abs(length) / kSamples;
+  }
+  const int steps = turn > 0.0 ? std::max(kSamples, static_cast<int>(std::ceil(turn / kLargestTurn))) : 1;
+  const double step = length / steps;
   GuideCurve guide;
-  for (double s : {0.0, 1.0}) {
+  Pose at = pose;
+  for (int i = 0; i <= steps; ++i) {
     guide.samples_.push_back(
-        {arc_length + s * length, pose.position + s * length * tangent, tangent, pose.orientation});
+        {arc_length + i * step, at.position, at.orientation * Eigen::Vector3d::UnitX(), at.orientation});
+    const Eigen::Vector3d bend = step * restCurvature((i + 0.5) / steps);
+    at.position += step * (at.orientation * so3::exp(0.5 * bend) * Eigen::Vector3d::UnitX());
+    at.orientation = (at.orientation * so3::exp(bend)).normalized();
   }
   if (length < 0.0) std::reverse(guide.samples_.begin(), guide.samples_.end());
+  return guide;
+}
+
+GuideCurve GuideCurve::freeBetween(const RodProfile& cable, double arc_length, const Pose& first,
+                                   const GuideAnchor& b) {
+  const double length = b.arc_length - arc_length;
+  GuideCurve guide = free(cable, arc_length, first, length);
+  const GuideCurve from_end =
+      b.orientation ? free(cable, b.arc_length, {b.position, *b.orientation}, -length) : GuideCurve();
+  const Eigen::Vector3d gap = b.position - guide.samples_.back().position;
+  std::vector<Sample> samples;
+  for (const Sample& sample : guide.samples_) {
+    const double t = (sample.arc_length - arc_length) / length;
+    const double share = t * t * (3.0 - 2.0 * t);
+    Sample blended = sample;
+    if (b.orientation) {
+      const Pose other = from_end.at(sample.arc_length);
+      blended.position = (1.0 - share) * sample.position + share * other.position;
+      blended.orientation = sample.orientation.slerp(share, other.orientation);
+    } else {
+      blended.position += share * gap;
+    }
+    blended.tangent = blended.orientation * Eigen::Vector3d::UnitX();
+    samples.push_back(blended);
+  }
+  guide.samples_ = std::move(samples);
   return guide;
 }
 
@@ -113,9 +152,9 @@ void GuideCurve::frame(const Eigen::Quaterniond& first, double twist) {
   for (Sample& sample : samples_) {
     carried = (so3::smallestRotation(tangent, sample.tangent) * carried).normalized();
     tangent = sample.tangent;
-    const double share = (sample.arc_length - start()) / (end() - start());
-    sample.orientation = carried * so3::exp(Eigen::Vector3d(share * twist, 0.0, 0.0));
+    sample.orientation = carried;
   }
+  twist_ = twist;
 }
 
 double GuideCurve::twistTo(const Eigen::Quaterniond& first, const Eigen::Quaterniond& last) const {
@@ -140,7 +179,9 @@ Pose GuideCurve::at(double arc_length) const {
   const Eigen::Vector3d position = (2.0 * t3 - 3.0 * t2 + 1.0) * a.position +
                                    (t3 - 2.0 * t2 + t) * h * a.tangent + (3.0 * t2 - 2.0 * t3) * b.position +
                                    (t3 - t2) * h * b.tangent;
-  return {position, a.orientation.slerp(t, b.orientation)};
+  const double share = (a.arc_length + t * h - start()) / (end() - start());
+  const Eigen::Quaterniond twisted = so3::exp(Eigen::Vector3d(share * twist_, 0.0, 0.0));
+  return {position, a.orientation.slerp(t, b.orientation) * twisted};
 }
 
 }  // namespace cable_variation

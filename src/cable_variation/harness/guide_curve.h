@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include <cable_variation/math/pose.h>
+#include <cable_variation/rod/profile.h>
 
 namespace cable_variation {
 
@@ -25,8 +26,11 @@ class GuideCurve {
   /// vector lets the tangents decide.
   static GuideCurve between(const GuideAnchor& a, const GuideAnchor& b, const Eigen::Vector3d& bulge,
                             const Eigen::Vector3d& fallback_bulge);
-  /// A straight continuation from `pose` along its x axis, or against it for a negative `length`.
-  static GuideCurve straight(double arc_length, const Pose& pose, double length);
+  /// The cable free of stress from `pose` on, or backwards for a negative `length`.
+  static GuideCurve free(const RodProfile& cable, double arc_length, const Pose& pose, double length);
+  /// The cable free of stress at both ends, bent and shifted between them for it to come from `first` to `b`.
+  static GuideCurve freeBetween(const RodProfile& cable, double arc_length, const Pose& first,
+                                const GuideAnchor& b);
 
   /// Frames by parallel transport from `first`, turned about the tangent by
   /// `twist` [rad] in all, evenly.
@@ -43,9 +47,10 @@ class GuideCurve {
   struct Sample {
     double arc_length;
     Eigen::Vector3d position, tangent;
-    Eigen::Quaterniond orientation;
+    Eigen::Quaterniond orientation;  // without the twist
   };
   std::vector<Sample> samples_;
+  double twist_ = 0.0;  // in all, spread evenly [rad]
 };
 
 }  // namespace cable_variation

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include <cable_variation/harness/guide_curve.h>
+#include <cable_variation/harness/meeting_points.h>
 #include <cable_variation/math/so3.h>
 #include <cable_variation/rod/element_kernel.h>
 
@@ -70,6 +71,7 @@ Eigen::Vector3d bulgeDirection(Routing::Bulge bulge, const Eigen::Vector3d& chor
     case Routing::Bulge::right:
       return -side;
     case Routing::Bulge::natural:
+    case Routing::Bulge::stress_free:
       break;
   }
   return Eigen::Vector3d::Zero();
@@ -79,11 +81,16 @@ Eigen::Vector3d bulgeDirection(Routing::Bulge bulge, const Eigen::Vector3d& chor
 class CableGuide {
  public:
   CableGuide(const Harness& harness, const Topology& topology, std::size_t cable,
-             const Configuration& configuration)
-      : harness_(harness), cable_(cable) {
+             const Configuration& configuration,
+             const std::vector<std::optional<Eigen::Vector3d>>& meeting_points)
+      : harness_(harness), cable_(cable), profile_(harness.cables[cable]) {
     for (std::size_t index : topology.cable_stations[cable]) {
       const Station& station = topology.stations[index];
-      if (!holdsPosition(harness, station)) continue;
+      if (!holdsPosition(harness, station)) {
+        if (!meeting_points[index]) continue;
+        anchors_.push_back({configuration.stations[index].arc_length, *meeting_points[index], {}, {}});
+        continue;
+      }
       const Pose& pose = configuration.stations[index].pose;
       GuideAnchor anchor;
       anchor.arc_length = configuration.stations[index].arc_length;
@@ -117,9 +124,14 @@ class CableGuide {
       const GuideAnchor& b = anchors_[i + 1];
       const Routing route = routing[first_interval + intervalOf(0.5 * (a.arc_length + b.arc_length))];
       const Eigen::Vector3d chord = b.position - a.position;
+      if (a.orientation) orientation = *a.orientation;
+      if (route.bulge == Routing::Bulge::stress_free) {
+        pieces.push_back(GuideCurve::freeBetween(profile_, a.arc_length, {a.position, orientation}, b));
+        orientation = pieces.back().at(b.arc_length).orientation;
+        continue;
+      }
       GuideCurve piece = GuideCurve::between(a, b, bulgeDirection(route.bulge, chord, harness_.gravity),
                                              bulgeDirection(Routing::Bulge::down, chord, harness_.gravity));
-      if (a.orientation) orientation = *a.orientation;
       double twist = 0.0;
       if (b.orientation) {
         twist = piece.twistTo(orientation, *b.orientation);
@@ -139,12 +151,12 @@ class CableGuide {
     if (front.arc_length > 0.0) {
       const Pose pose{front.position,
                       pieces.empty() ? orientation : pieces.front().at(front.arc_length).orientation};
-      curves_.push_back(GuideCurve::straight(front.arc_length, pose, -front.arc_length));
+      curves_.push_back(GuideCurve::free(profile_, front.arc_length, pose, -front.arc_length));
     }
     for (GuideCurve& piece : pieces) curves_.push_back(std::move(piece));
     if (back.arc_length < cable.length) {
-      curves_.push_back(GuideCurve::straight(back.arc_length, {back.position, orientation},
-                                             cable.length - back.arc_length));
+      curves_.push_back(GuideCurve::free(profile_, back.arc_length, {back.position, orientation},
+                                         cable.length - back.arc_length));
     }
   }
 
@@ -231,43 +243,57 @@ class CableGuide {
 
   const Harness& harness_;
   std::size_t cable_;
+  RodProfile profile_;
   std::vector<GuideAnchor> anchors_;
   std::vector<GuideCurve> curves_;
 };
 
 }  // namespace
 
+bool InitialShape::isAnchor(std::size_t station) const {
+  return holdsPosition(harness_, topology_.stations[station]) || meeting_points_[station].has_value();
+}
+
 InitialShape::InitialShape(const Harness& harness, const Topology& topology)
     : harness_(harness), topology_(topology), cable_order_(cablesParentsFirst(harness)) {
+  Configuration clips;
+  for (const Station& station : topology.stations) {
+    StationConfiguration at;
+    at.arc_length = station.arc_length;
+    if (station.clip) at.pose = harness.clips[*station.clip].pose;
+    clips.stations.push_back(at);
+  }
+  meeting_points_ = meetingPoints(harness, topology, clips);
   for (std::size_t c : cable_order_) {
     const Station* last = nullptr;
     for (std::size_t index : topology.cable_stations[c]) {
       const Station& station = topology.stations[index];
-      if (!holdsPosition(harness, station)) continue;
+      if (!isAnchor(index)) continue;
       if (last != nullptr) {
         const Cable& cable = harness.cables[c];
         intervals_.push_back({c, last->arc_length, station.arc_length,
                               holdsRoll(harness, *last) && holdsRoll(harness, station),
-                              !cable.via.empty() || cable.twist.has_value()});
+                              !cable.via.empty() || cable.twist.has_value(), !cable.rest_curvature.empty()});
       }
       last = &station;
     }
   }
 }
 
-Configuration InitialShape::make(const Grid& grid, const std::vector<Routing>& routing) const {
+Configuration InitialShape::make(const Grid& grid, const std::vector<Routing>& routing,
+                                 const std::vector<double>& arc_lengths) const {
   Configuration configuration;
   configuration.stations.resize(topology_.stations.size());
   configuration.spans.resize(topology_.spans.size());
   for (std::size_t i = 0; i < topology_.stations.size(); ++i) {
     StationConfiguration& at = configuration.stations[i];
-    at.arc_length = topology_.stations[i].arc_length;
+    at.arc_length = arc_lengths.empty() ? topology_.stations[i].arc_length : arc_lengths[i];
     if (topology_.stations[i].clip) at.pose = harness_.clips[*topology_.stations[i].clip].pose;
   }
   std::size_t first_interval = 0;
   for (std::size_t c : cable_order_) {
     placeStations(harness_, topology_, configuration);
-    CableGuide guide(harness_, topology_, c, configuration);
+    CableGuide guide(harness_, topology_, c, configuration, meeting_points_);
     guide.build(routing, first_interval);
     first_interval += static_cast<std::size_t>(
         std::count_if(intervals_.begin(), intervals_.end(), [c](const Interval& i) { return i.cable == c; }));

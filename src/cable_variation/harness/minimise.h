@@ -4,15 +4,22 @@
 
 namespace cable_variation {
 
+/// What the geometric stiffness of the first step is made of.
+enum class StartStress {
+  own,   ///< the section forces of the start's strains
+  none,  ///< nothing: the start's strains mean nothing
+  held   ///< what the system holds: predicted, or taken from another grid
+};
+
 struct MinimiseOptions {
   int max_iterations = 400;
-  bool settle = false;   ///< only Newton steps to the stationary point near by, stable or not
-  bool relaxed = false;  ///< start without geometric stiffness: the start's stresses mean nothing
+  bool settle = false;  ///< only Newton steps to the stationary point near by, stable or not
+  StartStress stress = StartStress::own;
 };
 
 struct Minimum {
   bool stationary = false;  ///< the residual vanished
-  bool stable = false;      ///< and the Hessian is positive (neutral motions allowed)
+  bool stable = false;      ///< and the Hessian there is positive (neutral motions allowed)
   int iterations = 0;       ///< Newton steps
   double residual = 0.0;    ///< [N]
 };
@@ -23,8 +30,9 @@ struct Minimum {
 /// and pushed off a saddle along its direction of negative curvature. The
 /// geometric stiffness comes from predicted stresses, and the energy may rise for
 /// a few steps: a stiff cable is stretched by turning and shrinks back in the
-/// next. Deterministic. On return `system` holds the gradient there, and the
-/// factorised Hessian of the last step before.
+/// next. What is called stable was judged by the exact Hessian at the configuration
+/// returned. Deterministic. On return `system` holds the gradient there, and unless it
+/// settled or failed, the factorised Hessian.
 Minimum minimise(RodSystem& system, Configuration& configuration, const MinimiseOptions& options = {});
 
 /// The largest out-of-balance force that counts as none: rounding, or a share of what the softest bending
@@ -35,5 +43,7 @@ double residualTolerance(const RodSystem& system);
 /// large enough to let motions that cost no energy (a round cable turning in
 /// ball joints) pass as stable.
 constexpr double kNeutralShift = 1e-9;
+/// The same, where rounding is larger: after an evaluation.
+double neutralShift(const RodSystem& system);
 
 }  // namespace cable_variation

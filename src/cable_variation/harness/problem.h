@@ -24,7 +24,7 @@ struct Problem {
     if (other.system) {
       setGrid(other.system->grid());
       system->evaluate(configuration, RodSystem::Hessian::exact);
-      system->factorise(kNeutralShift, system->bendingMetric());
+      system->factorise(neutralShift(*system), system->bendingMetric());
     }
   }
   Problem& operator=(const Problem&) = delete;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <cable_variation/harness/held_piece.h>
 #include <cable_variation/harness/rod_system_impl.h>
 #include <cable_variation/math/so3.h>
 
@@ -73,6 +74,55 @@ void RodSystem::harnessChanged() {
 
 RodSystem::~RodSystem() = default;
 
+// The weight of everything and all point forces [N].
+double RodSystem::loadScale() const {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < spans_.size(); ++i) {
+    const Span& span = topology_.spans[i];
+    const double left = topology_.stations[span.left].arc_length;
+    const double length = topology_.stations[span.right].arc_length - left;
+    sum += profiles_[span.cable].at(left + 0.5 * length).mass_per_length * length * harness_.gravity.norm();
+  }
+  for (const PointLoad& load : harness_.loads) sum += load.force.norm();
+  return sum;
+}
+
+bool RodSystem::soften(double slenderness, const Configuration& configuration) {
+  // The loads stretch no span by more than one in this number.
+  constexpr double kStifferThanLoads = 1e3;
+  // Of its length: with less slack than this a span's stretch decides whether it bows out.
+  constexpr double kTaut = 1e-4;
+  std::vector<bool> taut(topology_.stations.size(), false);  // the span to the right of the station
+  for (const HeldPiece& piece : heldPieces(harness_, topology_, configuration)) {
+    if (piece.distance < (1.0 - kTaut) * piece.length) continue;
+    bool inside = false;
+    for (const std::size_t station : topology_.cable_stations[piece.cable]) {
+      inside = (inside || station == piece.first) && station != piece.last;
+      taut[station] = taut[station] || inside;
+    }
+  }
+  const double least = kStifferThanLoads * loadScale();
+  bool softer = false;
+  for (std::size_t i = 0; i < spans_.size(); ++i) {
+    const Span& span = topology_.spans[i];
+    const double left = topology_.stations[span.left].arc_length;
+    const double length = topology_.stations[span.right].arc_length - left;
+    double bending = 0.0, stretching = 0.0;
+    for (const double gauss : element::kGaussAt) {
+      const RodProperties p = profiles_[span.cable].at(left + gauss * length);
+      bending = std::max({bending, p.stiffness[4], p.stiffness[5]});
+      stretching = std::max({stretching, p.stiffness[0], p.stiffness[1], p.stiffness[2]});
+    }
+    const double limit =
+        taut[span.left] ? INFINITY : std::max(slenderness * bending / (length * length), least);
+    softer = softer || stretching > limit;
+    if (limit == spans_[i].stretch_limit) continue;
+    spans_[i].stretch_limit = limit;
+    spans_[i].left_arc_length = spans_[i].right_arc_length = -1.0;
+  }
+  return softer;
+}
+
 RodSystem::Element RodSystem::elementOf(std::size_t span, std::size_t element) const {
   const std::size_t global = spans_[span].first_element + element;
   return {global / kLanes, static_cast<int>(global % kLanes)};
@@ -97,7 +147,12 @@ void RodSystem::refreshProperties(const Configuration& configuration) {
       const double length = (grid_[i][e + 1] - grid_[i][e]) * (right - left);
       batch.input.length[at.lane] = length;
       for (int g = 0; g < kGauss; ++g) {
-        const RodProperties p = profiles_[span.cable].at(start + element::kGaussAt[g] * length);
+        RodProperties p = profiles_[span.cable].at(start + element::kGaussAt[g] * length);
+        for (int k = 0; k < 3; ++k) {
+          if (p.stiffness[k] <= data.stretch_limit) continue;
+          p.stiffness[k] = data.stretch_limit;
+          p.stiffness_slope[k] = 0.0;
+        }
         for (int k = 0; k < 6; ++k) {
           batch.input.stiffness[g][k][at.lane] = p.stiffness[k];
           batch.slope.stiffness[g][k][at.lane] = p.stiffness_slope[k];
@@ -171,7 +226,8 @@ void RodSystem::evaluate(const Configuration& configuration, Hessian hessian) {
     } else {
       kernel.hessian(batch.input, batch.energy, batch.factor, hessian == Hessian::predicted);
     }
-    if (has_slides_) kernel.arcLength(batch.input, batch.slope, batch.arc_length);
+    if (has_slides_)
+      kernel.arcLength(batch.input, batch.slope, batch.arc_length, hessian == Hessian::predicted);
   }
   energy_ = {};
   for (const Batch& batch : batches_) {
@@ -215,11 +271,11 @@ NodalField RodSystem::zeroField() const {
   return field;
 }
 
-bool RodSystem::conservative() const {
+bool RodSystem::conservative(const Harness& harness) const {
   for (std::size_t i = 0; i < topology_.stations.size(); ++i) {
     const bool loaded =
         std::any_of(topology_.stations[i].loads.begin(), topology_.stations[i].loads.end(),
-                    [&](std::size_t load) { return !harness_.loads[load].moment.isZero(0.0); });
+                    [&](std::size_t load) { return !harness.loads[load].moment.isZero(0.0); });
     if (loaded && unknowns_.rotations(i) > 1) return false;
   }
   return true;

@@ -52,6 +52,18 @@ class RodSystem {
   void predictStress(const NodalField& motion);
   /// No section forces and moments.
   void relaxStress();
+  /// Those at the configuration evaluated last, to be kept while the configuration or the stiffness changes.
+  void holdStress();
+  /// Those that `other`, the same harness on another grid, holds.
+  void takeStress(const RodSystem& other);
+
+  /// Stretch and shear no stiffer than leaves each span a slenderness EA ℓ²/EI of `slenderness`, unless the
+  /// loads would stretch it noticeably then, or its clips hold it taut at `configuration`. Infinite: as the
+  /// cables are. Returns whether this makes any span softer than its cable is.
+  bool soften(double slenderness, const Configuration& configuration);
+
+  /// Whether an arc length is unknown.
+  bool slides() const { return has_slides_; }
 
   const EnergyTerms& energy() const { return energy_; }
   const NodalField& gradient() const { return gradient_; }
@@ -64,6 +76,11 @@ class RodSystem {
   std::size_t worstSpan() const;
   /// The size of the forces that must cancel in it, with rounding: a residual below this is noise.
   double residualNoise() const;
+  /// The shift in the metric of bending that is as large as the rounding of the Hessian.
+  double stiffnessNoise() const;
+  /// Whether the factors stay valid for solve() after an evaluation without Hessian, and steps with them come
+  /// closer to rest: not where a cable slides or is so slender that a small turn changes its stiffness.
+  bool keepsFactors() const;
 
   /// A diagonal metric of motions.
   struct Metric {
@@ -92,8 +109,10 @@ class RodSystem {
   /// `carried` (6 × stations), other forces being absent.
   void follow(const Eigen::Matrix<double, 6, Eigen::Dynamic>& carried, NodalField& motion);
 
-  /// Whether all loads have a potential: no dead moment on a section that turns about more than one axis.
-  bool conservative() const;
+  /// Whether all loads of `harness`, of the same structure as the system's, have a potential: no dead moment
+  /// on a section that turns about more than one axis.
+  bool conservative(const Harness& harness) const;
+  bool conservative() const { return conservative(harness_); }
 
   /// Sets a motion's columns at the spans' ends to what its unknowns do there, after evaluate().
   void carryEnds(NodalField& motion) const;
@@ -138,6 +157,7 @@ class RodSystem {
 
   Element elementOf(std::size_t span, std::size_t element) const;
   void refreshProperties(const Configuration& configuration);
+  double loadScale() const;
   void gather(const Configuration& configuration);
   void assembleGradient(const Configuration& configuration);
   double residual(std::size_t span) const;  // at its inner nodes

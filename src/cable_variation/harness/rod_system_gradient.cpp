@@ -156,4 +156,21 @@ double RodSystem::residualNoise() const {
   return noise;
 }
 
+double RodSystem::stiffnessNoise() const {
+  constexpr double kRounding = 1e-16;
+  double noise = 0.0;
+  for (const SpanData& data : spans_) {
+    const double slenderness = data.length() / data.gyration;
+    noise = std::max(noise, kRounding * static_cast<double>(data.elements) * slenderness * slenderness);
+  }
+  return noise;
+}
+
+bool RodSystem::keepsFactors() const {
+  constexpr double kSlender = 1e3;  // length over the radius of gyration
+  return !has_slides_ && std::all_of(spans_.begin(), spans_.end(), [&](const SpanData& data) {
+    return data.length() < kSlender * data.gyration;
+  });
+}
+
 }  // namespace cable_variation

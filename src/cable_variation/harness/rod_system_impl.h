@@ -2,6 +2,8 @@
 
 // What RodSystem is made of; for its own sources only.
 
+#include <cmath>
+
 #include <Eigen/Dense>
 #include <Eigen/SparseCholesky>
 
@@ -31,6 +33,7 @@ struct RodSystem::SpanData {
   double gyration = 0.0;                                 ///< sqrt(EI/EA) [m]
   double radius = 0.0;                                   ///< largest [m]
   double stretch_stiffness = 0.0;                        ///< largest EA [N]
+  double stretch_limit = INFINITY;                       ///< of EA and GA [N], see soften()
   SpanChain chain;
   Matrix14d reduced;  ///< left, right, arc lengths of left and right
   Eigen::Vector2d slide_gradient;

@@ -49,28 +49,6 @@ Eigen::VectorXd RodSystem::StationSolver::solve(const Eigen::VectorXd& rhs) cons
   return sparse_factor.solve(rhs);
 }
 
-void RodSystem::predictStress(const NodalField& motion) {
-  const element::Kernel& kernel = element::kernel();
-  for (std::size_t i = 0; i < spans_.size(); ++i) {
-    for (std::size_t e = 0; e < spans_[i].elements; ++e) {
-      const Element at = elementOf(i, e);
-      auto& nodes = batches_[at.batch].scratch;
-      for (int a = 0; a < kNodes; ++a) {
-        const auto column = static_cast<Eigen::Index>(3 * e) + a;
-        for (int k = 0; k < 6; ++k) nodes[kFirstDof[a] + k][at.lane] = motion.spans[i](k, column);
-      }
-    }
-  }
-  for (Batch& batch : batches_) kernel.predict(batch.input, batch.scratch, batch.input.stress);
-}
-
-void RodSystem::relaxStress() {
-  for (Batch& batch : batches_) {
-    auto& stress = batch.input.stress;
-    std::fill(&stress[0][0][0], &stress[0][0][0] + element::kGauss * 6 * kLanes, 0.0);
-  }
-}
-
 int RodSystem::factorise(double shift, const std::vector<Metric>& metric, bool symmetric) {
   const element::Kernel& kernel = element::kernel();
   for (Batch& batch : batches_) std::fill(&batch.scratch[0][0], &batch.scratch[0][0] + kDofs * kLanes, 0.0);

@@ -38,7 +38,7 @@ double smallestEigenvalue(RodSystem& system, const Configuration& configuration,
   const auto bending = system.bendingMetric();
   const auto surface = system.surfaceMetric();
   // H + c M positive definite; Lanczos for the largest eigenvalue of (H + c M)⁻¹ N, N the surface metric.
-  double shift = kNeutralShift;
+  double shift = neutralShift(system);
   while (system.factorise(shift, bending, true) > 0 && shift < 1e12) {
     shift = std::max(1e-2, 4.0 * shift);
     system.evaluate(configuration, RodSystem::Hessian::exact);
