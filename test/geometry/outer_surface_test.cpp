@@ -1,6 +1,7 @@
 #include <cable_variation/geometry/outer_surface.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -238,6 +239,62 @@ TEST(OuterSurface, refusesWhatIsNone) {
   OuterSurfaceOptions fine;
   fine.excess = 1e-14;
   EXPECT_THROW(outerSurface(pointers(bodies), fine), std::invalid_argument);
+}
+
+// What is too fine for the memory allowed is made as fine as that is enough for.
+TEST(OuterSurface, KeepsToItsMemory) {
+  const std::vector<RoundedHull> bodies = {capsule({0.0, 0.0, 0.0}, {0.05, 0.03, 0.01}, 0.004)};
+  OuterSurfaceOptions options;
+  options.excess = 1e-6;
+  for (const double limit : {1e4, 1e6, 1e7}) {
+    options.memory_limit = limit;
+    const OuterSurface surface = outerSurface(pointers(bodies), options);
+    EXPECT_TRUE(surface.coarsened) << limit;
+    EXPECT_EQ(surfaceFault(surface.mesh), "");
+    expectEncloses(surface, bodies);
+    // at most the triangles that it is enough for, of which a few are always made
+    constexpr double kBytesPerTriangle = 130.0;
+    const auto triangles = static_cast<double>(surface.mesh.triangles.size());
+    EXPECT_LE(kBytesPerTriangle * triangles, std::max(1.1 * limit, 8e5)) << limit;
+    if (limit >= 1e6) {
+      EXPECT_GE(kBytesPerTriangle * triangles, 0.4 * limit) << limit;
+    }
+  }
+  options.excess = 1e-4;
+  const OuterSurface exactly = outerSurface(pointers(bodies), options);
+  EXPECT_FALSE(exactly.coarsened);
+  options.memory_limit = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(outerSurface(pointers(bodies), options).mesh.triangles.size(), exactly.mesh.triangles.size());
+  options.memory_limit = 0.0;
+  EXPECT_THROW(outerSurface(pointers(bodies), options), std::invalid_argument);
+}
+
+// By the area of a capsule, before anything is made.
+TEST(OuterSurface, WhatItTakesIsKnownBeforehand) {
+  constexpr double kRadius = 0.004, kSide = 0.06;
+  const std::vector<RoundedHull> bodies = {capsule({0.0, 0.0, 0.0}, {kSide, 0.0, 0.0}, kRadius)};
+  const double area = 2.0 * kPi * kRadius * (kSide + 2.0 * kRadius);
+  for (const double excess : {1e-4, 2e-5}) {
+    OuterSurfaceOptions options;
+    options.excess = excess;
+    const double triangles =
+        static_cast<double>(outerSurface(pointers(bodies), options).mesh.triangles.size());
+    const double taken = outerSurfaceMemory(area, kRadius, excess);
+    EXPECT_NEAR(taken / triangles, 130.0, 15.0);
+    EXPECT_NEAR(finestExcess(area, kRadius, taken), excess, 1e-9 * excess + 1e-15);
+  }
+}
+
+TEST(OuterSurface, EndsWhenAskedTo) {
+  const std::vector<RoundedHull> bodies = {capsule({0.0, 0.0, 0.0}, {0.05, 0.03, 0.01}, 0.004)};
+  struct Enough {};
+  OuterSurfaceOptions options;
+  std::atomic<int> asked{0};
+  options.check = [&] {
+    if (++asked > 20) throw Enough();
+  };
+  EXPECT_THROW(outerSurface(pointers(bodies), options), Enough);
+  EXPECT_LE(asked, 40);  // a few threads notice at once
 }
 
 }  // namespace

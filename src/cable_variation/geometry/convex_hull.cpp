@@ -71,40 +71,44 @@ ConvexHull::ConvexHull(const std::vector<Eigen::Vector3d>& points) {
   const std::vector<Eigen::Vector3d> added = bodyFor(points);
   all.insert(all.end(), added.begin(), added.end());
 
+  auto data = std::make_shared<Data>();
   HullFacets facets = hullFacets(all);
-  sources_ = std::move(facets.vertices);
-  neighbours_ = std::move(facets.neighbours);
-  surface_.triangles = std::move(facets.triangles);
-  surface_.vertices.reserve(sources_.size());
-  for (std::size_t& source : sources_) {
-    surface_.vertices.push_back(all[source]);
+  for (auto* counted : {&facets.triangles, &facets.neighbours}) counted->shrink_to_fit();  // many are kept
+  data->sources = std::move(facets.vertices);
+  data->neighbours = std::move(facets.neighbours);
+  data->surface.triangles = std::move(facets.triangles);
+  data->surface.vertices.reserve(data->sources.size());
+  for (std::size_t& source : data->sources) {
+    data->surface.vertices.push_back(all[source]);
     if (source >= points.size()) source = kAdded;
   }
-  planes_.resize(4, static_cast<Eigen::Index>(surface_.triangles.size()));
-  for (std::size_t i = 0; i < surface_.triangles.size(); ++i) {
+  data->planes.resize(4, static_cast<Eigen::Index>(data->surface.triangles.size()));
+  for (std::size_t i = 0; i < data->surface.triangles.size(); ++i) {
     double offset = -std::numeric_limits<double>::infinity();
-    for (const std::uint32_t corner : surface_.triangles[i]) {
-      offset = std::max(offset, facets.normals[i].dot(surface_.vertices[corner]));
+    for (const std::uint32_t corner : data->surface.triangles[i]) {
+      offset = std::max(offset, facets.normals[i].dot(data->surface.vertices[corner]));
     }
-    planes_.col(static_cast<Eigen::Index>(i)) << facets.normals[i], offset;
+    data->planes.col(static_cast<Eigen::Index>(i)) << facets.normals[i], offset;
   }
+  data_ = std::move(data);
 }
 
 double ConvexHull::height(const Eigen::Vector3d& point) const {
-  return (point.x() * planes_.row(0).array() + point.y() * planes_.row(1).array() +
-          point.z() * planes_.row(2).array() - planes_.row(3).array())
+  return (point.x() * data_->planes.row(0).array() + point.y() * data_->planes.row(1).array() +
+          point.z() * data_->planes.row(2).array() - data_->planes.row(3).array())
       .maxCoeff();
 }
 
 NearestPoint ConvexHull::nearestOn(std::size_t triangle, const Eigen::Vector3d& point) const {
   SurfaceTriangle face;
   double longest = 0.0;
-  for (std::size_t i = 0; i < 3; ++i) face.corners[i] = surface_.vertices[surface_.triangles[triangle][i]];
+  for (std::size_t i = 0; i < 3; ++i)
+    face.corners[i] = data_->surface.vertices[data_->surface.triangles[triangle][i]];
   for (std::size_t i = 0; i < 3; ++i) {
     longest = std::max(longest, (face.corners[(i + 1) % 3] - face.corners[i]).squaredNorm());
   }
   // The facet's normal as a whole is surer than that of one of its triangles.
-  face.normal = planes_.col(static_cast<Eigen::Index>(triangle)).head<3>();
+  face.normal = data_->planes.col(static_cast<Eigen::Index>(triangle)).head<3>();
   const double area = (face.corners[1] - face.corners[0]).cross(face.corners[2] - face.corners[0]).norm();
   if (area <= kSliver * longest) face.normal.setZero();
   return nearestPoint(face, point);
@@ -122,17 +126,17 @@ NearestPoint ConvexHull::descend(const Eigen::Vector3d& point, std::size_t& at) 
   for (bool nearer = true; nearer && nearest.on != NearestPoint::On::face;) {
     nearer = false;
     if (nearest.on == NearestPoint::On::edge) {
-      nearer = improve(neighbours_[at][nearest.number]);
+      nearer = improve(data_->neighbours[at][nearest.number]);
       continue;
     }
     const std::size_t begin = at;
-    const std::uint32_t corner = surface_.triangles[at][nearest.number];
-    std::size_t triangle = neighbours_[at][nearest.number];
+    const std::uint32_t corner = data_->surface.triangles[at][nearest.number];
+    std::size_t triangle = data_->neighbours[at][nearest.number];
     while (triangle != begin && !nearer) {
       nearer = improve(triangle);
-      const auto& corners = surface_.triangles[triangle];
+      const auto& corners = data_->surface.triangles[triangle];
       const auto place = std::find(corners.begin(), corners.end(), corner) - corners.begin();
-      triangle = neighbours_[triangle][static_cast<std::size_t>(place)];
+      triangle = data_->neighbours[triangle][static_cast<std::size_t>(place)];
     }
   }
   return nearest;
@@ -140,8 +144,8 @@ NearestPoint ConvexHull::descend(const Eigen::Vector3d& point, std::size_t& at) 
 
 NearestPoint ConvexHull::nearestOfAll(const Eigen::Vector3d& point, std::size_t& at) const {
   NearestPoint nearest = nearestOn(at, point);
-  for (std::size_t i = 0; i < surface_.triangles.size(); ++i) {
-    const auto plane = planes_.col(static_cast<Eigen::Index>(i));
+  for (std::size_t i = 0; i < data_->surface.triangles.size(); ++i) {
+    const auto plane = data_->planes.col(static_cast<Eigen::Index>(i));
     if (std::abs(plane.head<3>().dot(point) - plane[3]) >= nearest.distance) continue;
     const NearestPoint other = nearestOn(i, point);
     if (other.distance < nearest.distance) {
@@ -154,8 +158,8 @@ NearestPoint ConvexHull::nearestOfAll(const Eigen::Vector3d& point, std::size_t&
 
 ConvexHull::Closest ConvexHull::closest(const Eigen::Vector3d& point) const {
   Eigen::Index highest = 0;
-  const double top = (point.x() * planes_.row(0).array() + point.y() * planes_.row(1).array() +
-                      point.z() * planes_.row(2).array() - planes_.row(3).array())
+  const double top = (point.x() * data_->planes.row(0).array() + point.y() * data_->planes.row(1).array() +
+                      point.z() * data_->planes.row(2).array() - data_->planes.row(3).array())
                          .maxCoeff(&highest);
   Closest closest;
   closest.triangle = static_cast<std::size_t>(highest);
@@ -171,7 +175,7 @@ ConvexHull::Closest ConvexHull::closest(const Eigen::Vector3d& point) const {
       // No point of the hull is nearer than its support in the direction of the point found. On facets that
       // rounding has dented the walk can end early: that shows here.
       double support = -std::numeric_limits<double>::infinity();
-      for (const Eigen::Vector3d& vertex : surface_.vertices) {
+      for (const Eigen::Vector3d& vertex : data_->surface.vertices) {
         support = std::max(support, nearest.direction.dot(vertex - nearest.point));
       }
       if (support > kProven * (nearest.distance + point.cwiseAbs().maxCoeff())) {
@@ -184,6 +188,6 @@ ConvexHull::Closest ConvexHull::closest(const Eigen::Vector3d& point) const {
   return closest;
 }
 
-double ConvexHull::volume() const { return volumeWithin(surface_); }
+double ConvexHull::volume() const { return volumeWithin(data_->surface); }
 
 }  // namespace cable_variation

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include <Eigen/Core>
@@ -11,7 +12,7 @@
 
 namespace cable_variation {
 
-/// The convex hull of points. Immutable; may be shared by threads.
+/// The convex hull of points. Immutable; may be shared by threads. Copies share what they are made of.
 class ConvexHull {
  public:
   /// Points that lie in a plane, on a line or on each other (to 1e-8 of their extent) get a body by added
@@ -20,17 +21,17 @@ class ConvexHull {
   explicit ConvexHull(const std::vector<Eigen::Vector3d>& points);
 
   /// Outward facets over the hull's vertices only [m]; closed. Facets of more corners are cut into triangles.
-  const TriangleMesh& surface() const { return surface_; }
+  const TriangleMesh& surface() const { return data_->surface; }
   /// Per vertex: the point it comes from, by index; kAdded: none, it gives a flat hull a body.
-  const std::vector<std::size_t>& sources() const { return sources_; }
+  const std::vector<std::size_t>& sources() const { return data_->sources; }
   static constexpr std::size_t kAdded = static_cast<std::size_t>(-1);
   /// Per triangle: unit outward normal and offset, so that normal · x <= offset inside.
   /// Row by row in memory, so that heights are taken several at a time.
   using Planes = Eigen::Matrix<double, 4, Eigen::Dynamic, Eigen::RowMajor>;
-  const Planes& planes() const { return planes_; }
+  const Planes& planes() const { return data_->planes; }
 
   /// Per triangle: those across the edges from each corner to the next.
-  const std::vector<std::array<std::uint32_t, 3>>& neighbours() const { return neighbours_; }
+  const std::vector<std::array<std::uint32_t, 3>>& neighbours() const { return data_->neighbours; }
 
   /// The largest of normal · point - offset [m]: inside and above a facet's inner part the signed distance
   /// itself, elsewhere less than the distance.
@@ -52,10 +53,13 @@ class ConvexHull {
   NearestPoint descend(const Eigen::Vector3d& point, std::size_t& at) const;
   NearestPoint nearestOfAll(const Eigen::Vector3d& point, std::size_t& at) const;
 
-  TriangleMesh surface_;
-  std::vector<std::size_t> sources_;
-  Planes planes_;
-  std::vector<std::array<std::uint32_t, 3>> neighbours_;
+  struct Data {
+    TriangleMesh surface;
+    std::vector<std::size_t> sources;
+    Planes planes;
+    std::vector<std::array<std::uint32_t, 3>> neighbours;
+  };
+  std::shared_ptr<const Data> data_;
 };
 
 /// A convex body: all that is within `radius` of the hull.

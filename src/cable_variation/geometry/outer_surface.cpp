@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -17,10 +18,16 @@ namespace cable_variation {
 namespace {
 
 constexpr double kFirstCells = 40.0;    // of the longest side, to learn the surface's area
-constexpr int kTrials = 8;              // to reach the number of triangles
+constexpr int kTrials = 12;             // to reach the number of triangles, or the excess
 constexpr double kTriangleShare = 0.4;  // that the number may be off
 constexpr double kOffCorner = 2e-3;     // of the surface from the grid's corners at least, of a cell
 constexpr std::size_t kMostRegions = std::size_t{1} << 24;
+// Of a surface per area of a cube's face, and what one takes while it is made: measured.
+constexpr double kTrianglesPerFace = 9.2, kBytesPerTriangle = 130.0;
+constexpr double kTrianglesPerBlock = 80.0;             // about, where the surface passes through
+constexpr double kFewBlocks = 64.0;                     // that any memory is enough for
+constexpr double kFinerAtOnce = 0.3, kAsCoarse = 0.95;  // cubes, on the way to those wanted
+constexpr double kCoarser = 1.25;                   // cubes, when a surface takes more memory than expected
 const double kHalfDiagonal = 0.5 * std::sqrt(3.0);  // of a unit cube
 
 using Bodies = std::vector<const RoundedHull*>;
@@ -32,17 +39,13 @@ struct Region {
   std::vector<BodyUnion::Near> near;
 };
 
-template <typename Function>
-void forEach(std::size_t count, const Function& function) {
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count), [&](const auto& range) {
-    for (std::size_t i = range.begin(); i < range.end(); ++i) function(i);
-  });
-}
-
 class Contourer {
  public:
-  Contourer(const Bodies& bodies, const Box& cores, double cell)
-      : cell_(cell), union_(bodies, radii(bodies, 0.0)), inflated_(bodies, radii(bodies, cell)) {
+  Contourer(const Bodies& bodies, const Box& cores, double cell, const OuterSurfaceOptions& options)
+      : options_(options),
+        cell_(cell),
+        union_(bodies, radii(bodies, 0.0)),
+        inflated_(bodies, radii(bodies, cell)) {
     const std::vector<double> inflated = radii(bodies, cell);
     const double border = *std::max_element(inflated.begin(), inflated.end()) + cell;
     origin_ = cores.low.matrix().array() - border;
@@ -54,8 +57,11 @@ class Contourer {
     double excess = 0.0;
   };
 
-  Contour contour() const {
-    const std::vector<Region> blocks = regions();
+  /// None: it would take more memory than allowed.
+  std::optional<Contour> contour() const {
+    const std::optional<std::vector<Region>> found = regions();
+    if (!found) return std::nullopt;
+    const std::vector<Region>& blocks = *found;
     std::vector<ContourPart> parts(blocks.size());
     std::vector<double> excess(blocks.size(), 0.0);
     forEach(blocks.size(), [&](std::size_t i) {
@@ -65,10 +71,20 @@ class Contourer {
         excess[i] = std::max(excess[i], union_.value(vertex, middle, blocks[i].near));
       }
     });
-    return {joined(parts), excess.empty() ? 0.0 : *std::max_element(excess.begin(), excess.end())};
+    return Contour{joined(parts), excess.empty() ? 0.0 : *std::max_element(excess.begin(), excess.end())};
   }
 
  private:
+  template <typename Function>
+  void forEach(std::size_t count, const Function& function) const {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count), [&](const auto& range) {
+      for (std::size_t i = range.begin(); i < range.end(); ++i) {
+        if (options_.check) options_.check();
+        function(i);
+      }
+    });
+  }
+
   static std::vector<double> radii(const Bodies& bodies, double cell) {
     std::vector<double> radii;
     for (const RoundedHull* body : bodies) radii.push_back(std::hypot(body->radius, kHalfDiagonal * cell));
@@ -92,7 +108,7 @@ class Contourer {
   }
 
   // All of a block's size that the surface passes through, by halving.
-  std::vector<Region> regions() const {
+  std::optional<std::vector<Region>> regions() const {
     if (cells_ > static_cast<double>(GridBlock::kLargest)) {
       throw std::invalid_argument("outer surface: cubes of " + std::to_string(cell_) +
                                   " m are too small for the bodies; expected at most 2^20 along an axis");
@@ -124,6 +140,10 @@ class Contourer {
             "outer surface: cubes of " + std::to_string(cell_) +
             " m are too small for the bodies; expected at most 2^24 near the surface");
       }
+      const double blocks = static_cast<double>(regions.size());
+      if (blocks > kFewBlocks && kTrianglesPerBlock * kBytesPerTriangle * blocks > options_.memory_limit) {
+        return std::nullopt;
+      }
     }
     return regions;
   }
@@ -149,6 +169,7 @@ class Contourer {
     return block;
   }
 
+  const OuterSurfaceOptions& options_;
   double cell_;
   BodyUnion union_, inflated_;
   Eigen::Vector3d origin_ = Eigen::Vector3d::Zero();
@@ -168,6 +189,9 @@ void check(const Bodies& bodies, const OuterSurfaceOptions& options) {
                                 " m; expected 0 m at least");
   }
   if (options.triangles == 0) throw std::invalid_argument("outer surface: 0 triangles; expected 1 at least");
+  if (!(options.memory_limit > 0.0))
+    throw std::invalid_argument("outer surface: memory of " + std::to_string(options.memory_limit) +
+                                " B; expected more than 0 B");
 }
 
 // So that √(r² + 3h²/4) is r + excess for the thinnest body.
@@ -188,28 +212,62 @@ OuterSurface outerSurface(const Bodies& bodies, const OuterSurfaceOptions& optio
   }
 
   OuterSurface surface;
-  Contourer::Contour contour;
+  std::optional<Contourer::Contour> contour;
+  const auto make = [&] {
+    contour.reset();  // before the next one takes its memory
+    contour = Contourer(bodies, cores, surface.cell, options).contour();
+    return contour.has_value();
+  };
+  const auto makeCoarserIfNeeded = [&] {
+    while (!make()) {
+      surface.coarsened = true;
+      surface.cell *= kCoarser;
+    }
+  };
   withThreads(options.threads, [&] {
-    if (options.excess > 0.0) {
-      surface.cell = cellFor(options.excess, smallest);
-      contour = Contourer(bodies, cores, surface.cell).contour();
+    surface.cell = (cores.largestExtent() + 2.0 * largest) / kFirstCells;
+    const double fine = options.excess > 0.0 ? cellFor(options.excess, smallest) : 0.0;
+    if (fine >= surface.cell || (fine > 0.0 && std::isinf(options.memory_limit))) {
+      surface.cell = fine;
+      makeCoarserIfNeeded();
       return;
     }
-    surface.cell = (cores.largestExtent() + 2.0 * largest) / kFirstCells;
-    const auto wanted = static_cast<double>(options.triangles);
+    // How fine it can be follows from the surface's area, and the area from what coarser cubes take.
+    const double affordable = options.memory_limit / kBytesPerTriangle;
+    const double wanted = std::min(static_cast<double>(options.triangles), affordable);
     for (int trial = 0; trial < kTrials; ++trial) {
-      contour = Contourer(bodies, cores, surface.cell).contour();
-      const auto triangles = static_cast<double>(contour.mesh.triangles.size());
-      if (std::abs(triangles - wanted) <= kTriangleShare * wanted || trial + 1 == kTrials) return;
-      surface.cell *= std::sqrt(triangles / wanted);
+      makeCoarserIfNeeded();
+      const auto triangles = static_cast<double>(contour->mesh.triangles.size());
+      double next = surface.cell * std::sqrt(triangles / wanted);
+      bool done = std::abs(triangles - wanted) <= kTriangleShare * wanted;
+      if (fine > 0.0) {
+        const double finest = surface.cell * std::sqrt(triangles / affordable);
+        next = std::max({fine, finest, kFinerAtOnce * surface.cell});
+        done = next > fine ? next >= kAsCoarse * surface.cell : surface.cell == fine;
+        if (done) surface.coarsened = surface.cell > fine;
+      }
+      if (done || trial + 1 == kTrials) return;
+      surface.cell = next;
     }
   });
-  FilledSurface filled = filledSurface(contour.mesh);
+  if (options.check) options.check();
+  FilledSurface filled = filledSurface(contour->mesh);
   surface.mesh = std::move(filled.mesh);
   surface.components = filled.components;
   surface.filled_voids = filled.filled_voids;
-  surface.excess = contour.excess;
+  surface.excess = contour->excess;
   return surface;
+}
+
+double outerSurfaceMemory(double area, double thinnest_radius, double excess) {
+  const double cell = cellFor(excess, thinnest_radius);
+  return kBytesPerTriangle * kTrianglesPerFace * area / (cell * cell);
+}
+
+double finestExcess(double area, double thinnest_radius, double memory) {
+  const double squared_cell = kBytesPerTriangle * kTrianglesPerFace * area / memory;
+  const double r = thinnest_radius;
+  return std::sqrt(r * r + kHalfDiagonal * kHalfDiagonal * squared_cell) - r;
 }
 
 }  // namespace cable_variation

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <limits>
 #include <vector>
 
 #include <cable_variation/geometry/convex_hull.h>
@@ -12,6 +14,9 @@ struct OuterSurfaceOptions {
   double excess = 0.0;            ///< of the surface over each body by itself [m]; 0: what `triangles` allow
   std::size_t triangles = 80000;  ///< wanted, to about 40 %, if no excess is
   std::size_t threads = 0;        ///< 0: as many as there are cores
+  /// That the surface may take [B]. An excess that takes more is not kept to: see OuterSurface::coarsened.
+  double memory_limit = std::numeric_limits<double>::infinity();
+  std::function<void()> check;  ///< called now and then, by any thread; may throw, which ends the work
 };
 
 /// One closed, oriented manifold mesh per component of a union of bodies, that encloses all of them. Without
@@ -21,6 +26,8 @@ struct OuterSurface {
   double cell = 0.0;    ///< edge of the grid's cubes [m]
   double excess = 0.0;  ///< largest distance of a vertex from the bodies [m]: in the creases between bodies
                         ///< it is more than over each of them
+  bool coarsened = false;  ///< the excess wanted would have taken more memory than allowed: the cubes are
+                           ///< those that the memory is enough for
   std::size_t components = 0;
   std::size_t filled_voids = 0;
 };
@@ -34,9 +41,15 @@ struct OuterSurface {
 /// √(r² + 3h²/4), interpolated, hold those of the radius r, and so does the interpolated union, which is
 /// nowhere above that of the interpolated bodies.
 /// The same result whatever the number of threads. Throws std::invalid_argument: no bodies, a radius or an
-/// excess that is none, no triangles wanted, a grid of more than 2^20 cubes along an axis or 2^24 near the
-/// surface.
+/// excess that is none, no triangles wanted, no memory allowed, a grid of more than 2^20 cubes along an axis
+/// or 2^24 blocks of 4³ near the surface.
 OuterSurface outerSurface(const std::vector<const RoundedHull*>& bodies,
                           const OuterSurfaceOptions& options = {});
+
+/// What a surface of an area [m²] around bodies of at least this radius [m] takes with an excess [m], about
+/// [B].
+double outerSurfaceMemory(double area, double thinnest_radius, double excess);
+/// The smallest excess [m] for which it takes no more than so much [B].
+double finestExcess(double area, double thinnest_radius, double memory);
 
 }  // namespace cable_variation
