@@ -24,14 +24,14 @@ CableSolver::CableSolver(ros::NodeHandle node, const CableSolverParameters& para
       design_(node_, context_),
       check_forbidden_region_(node_, context_, interference_, OutputDirectory(parameters.output_directory)),
       envelope_runner_(context_, envelope_, spinning_, OutputDirectory(parameters.output_directory),
-                       parameters.threads),
+                       parameters.threads, parameters.memory_limit),
       generate_envelope_(node_, kGenerateEnvelopeService,
                          [this](const cable_variation::GenerateEnvelopeRequest& request) {
                            return envelope_runner_.run(request, [](const RunProgress&) { return ros::ok(); });
                          }),
       generate_envelope_action_(node_, envelope_runner_),
       simulation_runner_(context_, variation_, spinning_, OutputDirectory(parameters.output_directory),
-                         parameters.threads),
+                         parameters.threads, parameters.memory_limit),
       simulate_variation_(node_, kSimulateVariationService,
                           [this](const cable_variation::SimulateVariationRequest& request) {
                             return simulation_runner_.run(

@@ -23,10 +23,11 @@ namespace {
 
 constexpr double kLift = 3e-4;  // [m]; beyond what RViz's depth buffer tells apart at a metre
 
-/// Bodies of two cables hold shapes that do not occur together; only what was solved does.
+/// Bodies of two cables hold shapes that do not occur together; only what is judged together does.
 bool interferes(const Scene& scene, const EnvelopeClearance& clearance) {
   const double least = std::max(lowerLimit(scene, clearance).value_or(0.0), 0.0);
-  return (clearance.other ? clearance.worst_sample : clearance.distance) < least;
+  const bool apart = clearance.other && clearance.kind == EnvelopeClearance::Kind::bodies;
+  return (apart ? clearance.worst_sample : clearance.distance) < least;
 }
 
 DistanceMark toMark(const Scene& scene, const EnvelopeClearance& clearance, const std::string& other,

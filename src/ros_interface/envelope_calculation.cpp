@@ -2,11 +2,15 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <limits>
+#include <sstream>
 
 #include <cable_variation/geometry/mesh_volume.h>
 #include <cable_variation/geometry/outer_surface.h>
 #include <cable_variation/scene/quantity.h>
 #include <cable_variation/variation/envelope_clearance.h>
+#include <cable_variation/variation/envelope_memory.h>
 #include <ros_interface/clearance_markers.h>
 #include <ros_interface/component_deviations.h>
 #include <ros_interface/envelope_conversion.h>
@@ -73,11 +77,44 @@ std::vector<CableSurface> surfacesByCable(const Envelope& envelope, const OuterS
                                           OuterSurfaceOptions options) {
   if (envelope.cables.size() == 1) return {CableSurface{envelope.cables.front(), whole.mesh}};
   options.triangles /= envelope.cables.size();
+  options.memory_limit /= static_cast<double>(envelope.cables.size());
   std::vector<CableSurface> surfaces;
   for (const std::size_t cable : envelope.cables) {
     surfaces.push_back({cable, surfaceOf(envelope.frames.front().pieces, cable, options).mesh});
   }
   return surfaces;
+}
+
+/// Of the nominal cables alone, the envelope's mesh will take so much at least.
+void refuseFinerMeshThanMemory(const EnvelopeTask& task, const Scene& scene) {
+  if (!(task.mesh_excess > 0.0)) return;
+  double area = 0.0, thinnest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < scene.harness.cables.size(); ++i) {
+    const auto& chosen = task.options.cables;
+    if (!chosen.empty() && std::find(chosen.begin(), chosen.end(), i) == chosen.end()) continue;
+    const cable_variation::Cable& cable = scene.harness.cables[i];
+    double radius = std::numeric_limits<double>::infinity();
+    for (const auto& part : cable.sections) radius = std::min(radius, part.section.radius);
+    area += 2.0 * M_PI * radius * cable.length;
+    thinnest = std::min(thinnest, radius);
+  }
+  const double needed = cable_variation::outerSurfaceMemory(area, thinnest, task.mesh_excess);
+  if (needed <= task.mesh_memory) return;
+  std::ostringstream text;
+  text << "mesh_excess: is " << task.mesh_excess << " m, which would take "
+       << cable_variation::memoryText(needed) << " for the nominal cables alone; allowed for the mesh are "
+       << cable_variation::memoryText(task.mesh_memory) << " of ~memory_limit: expected "
+       << cable_variation::finestExcess(area, thinnest, task.mesh_memory) << " m at least, or 0: its default";
+  throw std::invalid_argument(text.str());
+}
+
+// What the edges of all pieces take as markers and as a message [B].
+double markersOf(const Envelope& envelope) {
+  constexpr double kBytes = 2.0 * 2.0 * 3.0 * 24.0;  // two points of each of three edges by vertex, twice
+  double bytes = 0.0;
+  for (const EnvelopePiece& piece : envelope.frames.front().pieces)
+    bytes += kBytes * static_cast<double>(piece.body.core.surface().vertices.size());
+  return bytes;
 }
 
 InterferenceView interferenceOf(const EnvelopeTask& task, const Scene& scene,
@@ -101,6 +138,7 @@ InterferenceView interferenceOf(const EnvelopeTask& task, const Scene& scene,
 EnvelopeOutcome calculateEnvelope(const EnvelopeTask& task, const SolverContext::Snapshot& snapshot,
                                   const OutputDirectory& output, RunControl& control) {
   const Scene& scene = snapshot.design.scene;
+  refuseFinerMeshThanMemory(task, scene);
   const EquilibriumSolver solver = solverAt(snapshot, task.options, task.other_design);
   const Envelope envelope = generate(task, scene, solver, control);
   const std::size_t solves = envelope.solves;
@@ -109,6 +147,7 @@ EnvelopeOutcome calculateEnvelope(const EnvelopeTask& task, const SolverContext:
   control.report({"clearances", kEnvelopeShare, solves, 0.0});
   cable_variation::ClearanceOptions clearance_options;
   clearance_options.skip_near_clips = task.skip_near_clips;
+  clearance_options.check = [&control] { control.throwIfCancelled(); };
   const std::vector<EnvelopeClearance> found =
       clearances(scene, envelope, task.options, snapshot.parts, solver, clearance_options);
   const double clearance_time = watch.lap();
@@ -118,6 +157,8 @@ EnvelopeOutcome calculateEnvelope(const EnvelopeTask& task, const SolverContext:
   OuterSurfaceOptions surface_options;
   surface_options.excess = task.mesh_excess;
   surface_options.threads = task.options.threads;
+  surface_options.memory_limit = task.mesh_memory;
+  surface_options.check = clearance_options.check;
   const OuterSurface surface = surfaceOf(envelope.frames.front().pieces, std::nullopt, surface_options);
   const std::vector<CableSurface> by_cable = surfacesByCable(envelope, surface, surface_options);
   const double surface_time = watch.lap();
@@ -133,12 +174,23 @@ EnvelopeOutcome calculateEnvelope(const EnvelopeTask& task, const SolverContext:
   response.volume = volumeWithin(surface.mesh);
   response.margin = task.options.margin;
   response.seed = task.options.seed;
+  if (surface.coarsened) {
+    std::ostringstream text;
+    text << "the mesh is coarser than wanted, " << 1e3 * surface.excess
+         << " mm outside the envelope at most: " << cable_variation::memoryText(task.mesh_memory)
+         << " of ~memory_limit are for it";
+    response.warnings.push_back(text.str());
+  }
   response.clearance_time = clearance_time;
   response.surface_time = surface_time;
 
   EnvelopeView& view = outcome.view;
   view.markers = envelopeMarkers(scene, by_cable);
-  if (task.show_pieces) {
+  if (task.show_pieces && markersOf(envelope) > task.mesh_memory) {
+    response.warnings.push_back("the pieces are not shown: the markers would take " +
+                                cable_variation::memoryText(markersOf(envelope)) + ", allowed are " +
+                                cable_variation::memoryText(task.mesh_memory) + " of ~memory_limit");
+  } else if (task.show_pieces) {
     const auto pieces = pieceMarkers(scene, envelope.frames.front().pieces);
     view.markers.markers.insert(view.markers.markers.end(), pieces.markers.begin(), pieces.markers.end());
   }

@@ -37,6 +37,11 @@ ClearanceResult toResult(const Scene& scene, const std::vector<std::string>& var
   result.component = clearance.component;
   if (clearance.other) result.other_cable = scene.harness.cables[*clearance.other].name;
   result.distance = clearance.distance;
+  result.kind = clearance.kind == EnvelopeClearance::Kind::together ? ClearanceResult::TOGETHER
+                                                                    : ClearanceResult::BODIES;
+  result.margin = clearance.margin;
+  result.random_shapes = static_cast<std::uint32_t>(clearance.random_shapes);
+  result.between_bodies = clearance.between_bodies;
   result.on_envelope = toPoint(clearance.on_envelope);
   result.on_other = toPoint(clearance.on_other);
   result.arc_length = clearance.arc_length;
@@ -85,6 +90,7 @@ cable_variation::EnvelopePhaseInfo toInfo(const cable_variation::EnvelopePhase& 
   info.start = phase.start;
   info.end = phase.end;
   info.poses = static_cast<std::uint32_t>(phase.poses);
+  info.excess = phase.excess;
   return info;
 }
 
@@ -138,6 +144,7 @@ GenerateEnvelopeResponse toResponse(const Scene& scene, const Envelope& envelope
   response.inflation = envelope.inflation;
   for (const cable_variation::EnvelopePhase& phase : envelope.phases)
     response.phases.push_back(toInfo(phase));
+  response.motion_excess = envelope.motion_excess;
   for (const cable_variation::Snap& snap : envelope.snaps) response.snaps.push_back(toInfo(scene, snap));
   response.branches = static_cast<std::uint32_t>(envelope.branches);
   response.pieces = static_cast<std::uint32_t>(envelope.frames.front().pieces.size());

@@ -17,8 +17,13 @@ constexpr std::chrono::milliseconds kLook(20);
 }  // namespace
 
 EnvelopeRunner::EnvelopeRunner(SolverContext& context, EnvelopePublisher& publisher, SpinningThread& spinning,
-                               const OutputDirectory& output, std::size_t threads)
-    : context_(context), publisher_(publisher), spinning_(spinning), output_(output), threads_(threads) {}
+                               const OutputDirectory& output, std::size_t threads, double memory_limit)
+    : context_(context),
+      publisher_(publisher),
+      spinning_(spinning),
+      output_(output),
+      threads_(threads),
+      memory_limit_(memory_limit) {}
 
 GenerateEnvelopeResponse EnvelopeRunner::run(const GenerateEnvelopeRequest& request, const Watcher& watcher) {
   GenerateEnvelopeResponse response;
@@ -32,7 +37,7 @@ GenerateEnvelopeResponse EnvelopeRunner::complete(const GenerateEnvelopeRequest&
   EnvelopeTask task;
   std::shared_ptr<const SolverContext::Snapshot> snapshot;
   spinning_.run([&] {
-    task = toEnvelopeTask(request, context_.design(), context_.moved(), threads_);
+    task = toEnvelopeTask(request, context_.design(), context_.moved(), threads_, memory_limit_);
     snapshot = std::make_shared<SolverContext::Snapshot>(context_.snapshot());
   });
 

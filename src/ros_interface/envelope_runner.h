@@ -19,9 +19,9 @@ class SpinningThread;
 /// Makes envelopes for the service and the action, on threads of its own: the node answers meanwhile.
 class EnvelopeRunner {
  public:
-  /// @param threads for each run; 0: as many as there are cores
+  /// @param threads for each run; 0: as many as there are cores @param memory_limit for each run [B]
   EnvelopeRunner(SolverContext& context, EnvelopePublisher& publisher, SpinningThread& spinning,
-                 const OutputDirectory& output, std::size_t threads);
+                 const OutputDirectory& output, std::size_t threads, double memory_limit);
 
   /// Told how far a run is, now and then; false: cancel it.
   using Watcher = std::function<bool(const RunProgress&)>;
@@ -41,6 +41,7 @@ class EnvelopeRunner {
   SpinningThread& spinning_;
   OutputDirectory output_;
   std::size_t threads_;
+  double memory_limit_;
   std::mutex mutex_;
   std::list<std::unique_ptr<BackgroundRun>> cancelled_;  ///< that have not noticed yet
 };

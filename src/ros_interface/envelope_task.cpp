@@ -18,7 +18,10 @@ using cable_variation::Scene;
 namespace {
 
 constexpr std::uint32_t kMostShapes = 10000000;  // some hours
-constexpr double kLargestLength = 1.0;           // [m]; of what is meant to be small
+// Shares of the memory limit for the envelope itself, and for its mesh while all else is kept; the rest is
+// for what becomes of it: messages, markers, files.
+constexpr double kEnvelopeMemory = 0.5, kMeshMemory = 0.2;
+constexpr double kLargestLength = 1.0;  // [m]; of what is meant to be small
 
 double lengthOr(double fallback, double value, const char* field) {
   if (!(value >= 0.0 && value <= kLargestLength))
@@ -46,7 +49,8 @@ std::vector<std::size_t> variablesOf(const GenerateEnvelopeRequest& request, con
 }  // namespace
 
 EnvelopeTask toEnvelopeTask(const GenerateEnvelopeRequest& request, const cable_variation::Design& design,
-                            const cable_variation::ComponentPoses& moved, std::size_t threads) {
+                            const cable_variation::ComponentPoses& moved, std::size_t threads,
+                            double memory_limit) {
   const Scene& scene = design.scene;
   const EnvelopeOptions defaults;
   EnvelopeTask task;
@@ -72,6 +76,8 @@ EnvelopeTask toEnvelopeTask(const GenerateEnvelopeRequest& request, const cable_
   options.voxel = lengthOr(0.0, request.tightness_voxel, "tightness_voxel");
   options.seed = request.seed == 0 ? defaults.seed : request.seed;
   options.threads = threads;
+  options.memory_limit = kEnvelopeMemory * memory_limit;
+  task.mesh_memory = kMeshMemory * memory_limit;
   task.mesh_excess = lengthOr(0.0, request.mesh_excess, "mesh_excess");
   if (!(std::abs(request.skip_near_clips) <= kLargestLength)) {
     refuse("skip_near_clips", request.skip_near_clips, "at most 1 m");

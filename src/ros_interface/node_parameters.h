@@ -26,6 +26,7 @@ struct CableSolverParameters {
   bool live = false;           ///< follow the components on tf
   double live_rate_hz = 50.0;  ///< how often to look
   std::size_t threads = 0;     ///< for envelopes; 0: as many as there are cores
+  double memory_limit = 2e9;   ///< for one envelope or simulation [B]
   /// Where files are written; made when there is something to write.
   std::string output_directory = defaultOutputDirectory();
 };

@@ -57,8 +57,13 @@ class NameInUse {
 
 SimulationRunner::SimulationRunner(SolverContext& context, VariationPublisher& publisher,
                                    SpinningThread& spinning, const OutputDirectory& output,
-                                   std::size_t threads)
-    : context_(context), publisher_(publisher), spinning_(spinning), output_(output), threads_(threads) {}
+                                   std::size_t threads, double memory_limit)
+    : context_(context),
+      publisher_(publisher),
+      spinning_(spinning),
+      output_(output),
+      threads_(threads),
+      memory_limit_(memory_limit) {}
 
 SimulateVariationResponse SimulationRunner::run(const SimulateVariationRequest& request,
                                                 const Watcher& watcher) {
@@ -76,7 +81,7 @@ SimulateVariationResponse SimulationRunner::complete(const SimulateVariationRequ
   Shared shared;
   std::vector<std::string> measures;
   spinning_.run([&] {
-    shared.task = toSimulationTask(request, context_.design(), context_.moved(), threads_);
+    shared.task = toSimulationTask(request, context_.design(), context_.moved(), threads_, memory_limit_);
     shared.snapshot = context_.snapshot();
     shared.evaluator.emplace(context_.evaluator(shared.snapshot));
   });

@@ -19,9 +19,9 @@ class VariationPublisher;
 /// Simulates production for the service and the action, on threads of its own: the node answers meanwhile.
 class SimulationRunner {
  public:
-  /// @param threads for each run; 0: as many as there are cores
+  /// @param threads for each run; 0: as many as there are cores @param memory_limit for each run [B]
   SimulationRunner(SolverContext& context, VariationPublisher& publisher, SpinningThread& spinning,
-                   const OutputDirectory& output, std::size_t threads);
+                   const OutputDirectory& output, std::size_t threads, double memory_limit);
 
   /// Told how far a run is, now and then, with the names of the measures; false: cancel it.
   using Watcher =
@@ -40,6 +40,7 @@ class SimulationRunner {
   SpinningThread& spinning_;
   OutputDirectory output_;
   std::size_t threads_;
+  double memory_limit_;
   std::mutex mutex_;
   std::set<std::string> writing_;  ///< names of files that runs are writing now
 };

@@ -2,6 +2,8 @@
 
 #include <numeric>
 
+#include <cable_variation/variation/envelope_memory.h>
+
 #include <ros_interface/design_values.h>
 #include <ros_interface/name_lookup.h>
 #include <ros_interface/output_directory.h>
@@ -19,6 +21,10 @@ namespace {
 constexpr std::uint64_t kMostUnlessGiven = 1000000;  // with sigma_error; some minutes
 constexpr std::uint32_t kMostSections = 2000;
 constexpr std::uint32_t kMostShapes = 500;  // what RViz draws without delay
+// Bytes of a place on a cable: in a shape that is kept, its message and marker; in the figures of all blocks of
+// samples under way.
+constexpr double kKeptPlace = 100.0, kFigures = 4000.0;
+constexpr double kAlongCables = 0.5;  // of the memory limit
 
 /// A share strictly between 0 and 1, or `fallback` for 0.
 double shareOr(double fallback, double value, const char* field) {
@@ -51,6 +57,22 @@ std::vector<std::size_t> measuresOf(const std::vector<std::string>& names, const
   return all;
 }
 
+// What the shapes along the cables take, of all times of a motion that are simulated.
+void refuseMoreThanMemory(const SimulationOptions& options, const Scene& scene, double memory_limit) {
+  const auto count = [](std::size_t number) { return static_cast<double>(number); };
+  const double places = (options.motions.empty() ? 1.0 : count(options.most_times)) *
+                        count(scene.harness.cables.size()) * count(options.sections);
+  const double kept = kKeptPlace * places * count(options.kept_shapes), figures = kFigures * places;
+  const double allowed = kAlongCables * memory_limit;
+  if (kept + figures <= allowed) return;
+  const bool sections = figures > allowed;
+  refuse(sections ? "sections" : "sheaf_shapes", count(sections ? options.sections : options.kept_shapes),
+         "fewer: with " + std::to_string(options.sections) + " sections and " +
+             std::to_string(options.kept_shapes) + " shapes it would take " +
+             cable_variation::memoryText(kept + figures) + ", allowed are " +
+             cable_variation::memoryText(allowed) + " of ~memory_limit");
+}
+
 VariationFigure figureOf(const std::string& show) {
   if (show.empty() || show == "six_sigma") return VariationFigure::six_sigma;
   if (show == "range") return VariationFigure::range;
@@ -61,7 +83,8 @@ VariationFigure figureOf(const std::string& show) {
 
 SimulationTask toSimulationTask(const SimulateVariationRequest& request,
                                 const cable_variation::Design& design,
-                                const cable_variation::ComponentPoses& moved, std::size_t threads) {
+                                const cable_variation::ComponentPoses& moved, std::size_t threads,
+                                double memory_limit) {
   const Scene& scene = design.scene;
   SimulationTask task;
   SimulationOptions& options = task.options;
@@ -87,6 +110,7 @@ SimulationTask toSimulationTask(const SimulateVariationRequest& request,
   }
   options.kept_shapes = request.sheaf_shapes;
   options.threads = threads;
+  refuseMoreThanMemory(options, scene, memory_limit);
   task.show = figureOf(request.show);
   if (!request.name.empty()) OutputDirectory::checkName(request.name);
   task.name = request.name;

@@ -25,6 +25,7 @@ struct SimulationTask {
 /// its value and what is expected.
 SimulationTask toSimulationTask(const cable_variation::SimulateVariationRequest& request,
                                 const cable_variation::Design& design,
-                                const cable_variation::ComponentPoses& moved, std::size_t threads);
+                                const cable_variation::ComponentPoses& moved, std::size_t threads,
+                                double memory_limit);
 
 }  // namespace cable_variation_ros

@@ -55,7 +55,7 @@ class EnvelopeTaskTest : public testing::Test {
     request_.variables = {"*"};
   }
 
-  EnvelopeTask task() const { return toEnvelopeTask(request_, design_, moved_, 3); }
+  EnvelopeTask task() const { return toEnvelopeTask(request_, design_, moved_, 3, 1e9); }
   /// The message of a request that is refused.
   std::string refusal() const {
     try {
@@ -82,6 +82,9 @@ TEST_F(EnvelopeTaskTest, EmptyFieldsAreDefaults) {
   EXPECT_EQ(made.options.tightness, 0u);
   EXPECT_EQ(made.options.seed, 1u);
   EXPECT_EQ(made.options.threads, 3u);
+  // shares of the memory limit, with some left for what is made of them
+  EXPECT_EQ(made.options.memory_limit, 5e8);
+  EXPECT_EQ(made.mesh_memory, 2e8);
   EXPECT_FALSE(made.skip_near_clips);
   EXPECT_EQ(made.name, "");
   EXPECT_FALSE(made.other_design);

@@ -37,7 +37,7 @@ class SimulationTaskTest : public testing::Test {
     request_.variables = {"*"};
   }
 
-  SimulationTask task() const { return toSimulationTask(request_, design_, moved_, 3); }
+  SimulationTask task() const { return toSimulationTask(request_, design_, moved_, 3, memory_limit_); }
   /// The message of a request that is refused.
   std::string refusal() const {
     try {
@@ -51,6 +51,7 @@ class SimulationTaskTest : public testing::Test {
   Design design_;
   ComponentPoses moved_;
   SimulateVariationRequest request_;
+  double memory_limit_ = 1e9;
 };
 
 TEST_F(SimulationTaskTest, EmptyFieldsAreDefaults) {
@@ -70,6 +71,20 @@ TEST_F(SimulationTaskTest, EmptyFieldsAreDefaults) {
   EXPECT_EQ(made.show, VariationFigure::six_sigma);
   EXPECT_EQ(made.name, "");
   EXPECT_FALSE(made.other_design);
+}
+
+TEST_F(SimulationTaskTest, WhatTakesMoreMemoryThanAllowedIsRefused) {
+  design_.scene.harness.cables.resize(20);
+  request_.motions = {"run"};
+  request_.sections = 2000;
+  EXPECT_NE(refusal().find("sections: is 2000"), std::string::npos) << refusal();
+  request_.sections = 300;
+  EXPECT_EQ(refusal(), "");
+  request_.sheaf_shapes = 500;
+  EXPECT_NE(refusal().find("sheaf_shapes: is 500"), std::string::npos) << refusal();
+  EXPECT_NE(refusal().find("would take 5.2 GB, allowed are 500 MB"), std::string::npos) << refusal();
+  memory_limit_ = 1.1e10;
+  EXPECT_EQ(refusal(), "");
 }
 
 TEST_F(SimulationTaskTest, FieldsArriveWhereTheyBelong) {

@@ -268,8 +268,7 @@ TEST(EnvelopeClearance, SkipsSectionsNearItsOwnClips) {
   EXPECT_THROW(world.find(none), std::invalid_argument);
 }
 
-// Both swing alike, but the pieces do not know that: the closest is one lifted beside one lowered, or the
-// same.
+// Both swing alike: they stay as far apart as they are, whatever the pieces say.
 TEST(EnvelopeClearance, BetweenCables) {
   World world(2);
   world.addPhase(0.0, 0.0, {0.0});
@@ -278,12 +277,16 @@ TEST(EnvelopeClearance, BetweenCables) {
   EXPECT_EQ(found[0].cable, 0u);
   EXPECT_EQ(found[0].other, std::optional<std::size_t>(1));
   EXPECT_TRUE(found[0].component.empty());
-  EXPECT_NEAR(found[0].distance, 0.05 - 2.0 * (kRadius + kInflation), kAdded);
+  EXPECT_NEAR(found[0].between_bodies, 0.05 - 2.0 * (kRadius + kInflation), kAdded);
+  EXPECT_EQ(found[0].kind, EnvelopeClearance::Kind::together);
+  // twice what is not worth looking for, with the usual margin
+  EXPECT_NEAR(found[0].margin, 2.0 * 0.4e-4, 1e-12);
+  EXPECT_NEAR(found[0].distance, 0.05 - 2.0 * kRadius - found[0].margin, 1e-9);
   EXPECT_NEAR(found[0].worst_sample, 0.05 - 2.0 * kRadius, 1e-9);
   EXPECT_NEAR(found[0].nominal, 0.05 - 2.0 * kRadius, 1e-9);
   EXPECT_NEAR(found[0].other_arc_length, found[0].arc_length, kStretch + kAdded);
-  EXPECT_NEAR(found[0].on_envelope.y(), kRadius + kInflation, kAdded);
-  EXPECT_NEAR(found[0].on_other.y(), 0.05 - kRadius - kInflation, kAdded);
+  EXPECT_NEAR(found[0].on_envelope.y(), kRadius, 1e-9);
+  EXPECT_NEAR(found[0].on_other.y(), 0.05 - kRadius, 1e-9);
 }
 
 // Joined at arc length 0 of both: pieces count that reach a way of 60 mm, the first of them 20 to 40 mm on

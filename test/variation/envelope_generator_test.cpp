@@ -35,6 +35,7 @@ EnvelopeOptions exactly() {
   options.conservative = false;
   options.margin = 2e-5;
   options.verification = 300;
+  options.tightness = 1;  // for the envelope's own volume
   return options;
 }
 

@@ -23,6 +23,10 @@ class SampleShapes {
   void prepare(const std::vector<std::size_t>& samples);
   /// That of the envelope's sample.
   std::shared_ptr<const SolvedSample> sample(std::size_t index);
+  /// Of any deviations and time, not kept.
+  std::shared_ptr<const SolvedSample> fresh(const EnvelopeSample& sample) const {
+    return std::make_shared<const SolvedSample>(solver_(sample));
+  }
   /// The design at a time of the motion [s], in a phase.
   std::shared_ptr<const SolvedSample> design(std::size_t phase, double time);
   /// The envelope's own sample of the design in a phase.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -67,20 +68,20 @@ double furthest(const EnvelopePiece& piece, double at) {
 
 // Where one cable hangs on the other.
 std::optional<JoinedAt> joinedAt(const SolvedSample& at, std::size_t cable, std::size_t other, double way) {
-  const auto joint = jointBetween(at.harness, cable, other);
-  return joint ? std::optional<JoinedAt>(joint->at(way)) : std::nullopt;
+  return joinedAlong(at.harness, cable, other, way);
 }
 
+// @param phase only its pieces
 std::optional<Spot> closestPieces(const EnvelopeFrame& frame, std::size_t cable, std::size_t other,
-                                  const std::optional<JoinedAt>& joined) {
+                                  const std::optional<JoinedAt>& joined, std::size_t phase) {
   std::map<std::pair<std::size_t, std::size_t>, std::vector<const EnvelopePiece*>> others;
   for (const EnvelopePiece& piece : frame.pieces) {
-    if (piece.cable == other) others[{piece.phase, piece.branch}].push_back(&piece);
+    if (piece.cable == other && piece.phase == phase) others[{piece.phase, piece.branch}].push_back(&piece);
   }
   std::vector<BodyCouple> couples;
   std::vector<std::pair<const EnvelopePiece*, const EnvelopePiece*>> pieces;
   for (const EnvelopePiece& piece : frame.pieces) {
-    if (piece.cable != cable) continue;
+    if (piece.cable != cable || piece.phase != phase) continue;
     for (const EnvelopePiece* beside : others[{piece.phase, piece.branch}]) {
       if (joined &&
           furthest(piece, joined->on_cable) + furthest(*beside, joined->on_other) < joined->shortest_way) {
@@ -130,6 +131,7 @@ SpotFinder::SpotFinder(const Scene& scene, const Envelope& envelope, const Envel
 std::vector<Spot> SpotFinder::find() const {
   std::vector<Spot> spots;
   const auto take = [&](std::optional<Spot> spot) {
+    if (options_.check) options_.check();
     if (spot) spots.push_back(std::move(*spot));
   };
   for (const std::size_t cable : envelope_.cables) {
@@ -240,13 +242,23 @@ std::optional<Spot> SpotFinder::toComponent(std::size_t cable, std::size_t compo
 std::optional<Spot> SpotFinder::toCable(std::size_t cable, std::size_t other) const {
   const double way = skippedNearJoints(cable, other);
   const auto joined = joinedAt(*start_, cable, other, way);
-  // Seen from any frame the distance bounds what can happen: the largest says most.
   std::optional<Spot> best;
-  for (const EnvelopeFrame& frame : envelope_.frames) {
-    std::optional<Spot> spot = closestPieces(frame, cable, other, joined);
-    if (spot && (!best || spot->clearance.distance > best->clearance.distance)) best = std::move(spot);
+  std::vector<double> phase_bounds;
+  for (std::size_t phase = 0; phase < envelope_.phases.size(); ++phase) {
+    if (options_.check) options_.check();
+    // Seen from any frame the distance bounds what can happen: the largest says most.
+    std::optional<Spot> of_phase;
+    for (const EnvelopeFrame& frame : envelope_.frames) {
+      std::optional<Spot> spot = closestPieces(frame, cable, other, joined, phase);
+      if (spot && (!of_phase || spot->clearance.distance > of_phase->clearance.distance))
+        of_phase = std::move(spot);
+    }
+    phase_bounds.push_back(of_phase ? of_phase->clearance.distance : std::numeric_limits<double>::infinity());
+    if (of_phase && (!best || of_phase->clearance.distance < best->clearance.distance))
+      best = std::move(of_phase);
   }
   if (!best) return std::nullopt;
+  best->phase_bounds = std::move(phase_bounds);
   best->exact = [cable, other, way](const SolvedSample& at) {
     const auto line = [&](std::size_t of) {
       return centrelineOf(at.harness.cables[of], at.equilibrium.shapes[of]);

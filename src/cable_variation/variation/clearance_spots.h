@@ -16,6 +16,7 @@ struct ClearanceSpot {
   std::string frame;                         ///< of the envelope
   std::vector<std::size_t> samples;          ///< that span the pieces near the place, the nearest first
   ExactDistance exact;                       ///< what is measured, of one solved harness
+  std::vector<double> phase_bounds;  ///< between cables, per phase: of its bodies [m]; infinity: none count
 };
 
 /// Finds the closest pieces of an envelope to components and between cables. All given must outlive it.

@@ -14,6 +14,7 @@ namespace cable_variation {
 struct EnvelopePhase {
   double start = 0.0, end = 0.0;  ///< [s]
   std::size_t poses = 0;          ///< times looked at within it
+  double excess = 0.0;  ///< what convex pieces over all its poses span beyond them, about [m], see MotionPhase
 };
 
 /// A harness within the tolerances that was solved for the envelope.
@@ -86,6 +87,7 @@ struct Envelope {
   std::size_t solves = 0;             ///< equilibria, those for containment and tightness left out
   std::size_t failures = 0;           ///< of them without an equilibrium
   double inflation = 0.0;             ///< in every piece's radius [m]
+  double motion_excess = 0.0;         ///< the largest of the phases [m]
   double discretisation_error = 0.0;  ///< largest estimate among the samples [m]
   Containment containment;
   Tightness tightness;

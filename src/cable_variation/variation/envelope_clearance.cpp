@@ -12,11 +12,16 @@
 #include <cable_variation/variation/cable_view.h>
 #include <cable_variation/variation/clearance_samples.h>
 #include <cable_variation/variation/clearance_spots.h>
+#include <cable_variation/variation/pair_search.h>
+#include <cable_variation/variation/sample_follower.h>
 
 namespace cable_variation {
 namespace {
 
 using Eigen::Vector3d;
+
+// Gains by less than this share of the margin are left, as by the envelope itself.
+constexpr double kWorthwhile = 0.4;
 
 // The nominal arc length of the piece's place that is nearest to a point [m, world].
 double arcLengthAt(const EnvelopePiece& piece, const SolvedSample& solved, const Vector3d& point) {
@@ -45,8 +50,28 @@ void takePlaceOf(const SampleDistance& sample, EnvelopeClearance& clearance) {
   clearance.other_arc_length = other.arcLength(*pair.other_place);
 }
 
+// Two cables are as close as they come in one harness; what bodies say of shapes that never meet is no more
+// than a bound.
+void judgeTogether(ClearanceSpot& spot, const ToleranceSpace& tolerances, const EnvelopeOptions& options,
+                   const ClearanceOptions& clearance_options, SampleShapes& shapes,
+                   std::optional<SampleDistance>& worst) {
+  PairSearchOptions search;
+  search.tolerance = kWorthwhile * options.margin;
+  search.shapes = options.verification;
+  search.seed = options.seed;
+  search.check = clearance_options.check;
+  auto found = closestTogether(shapes, spot.exact, tolerances, spot.phase_bounds, search);
+  if (!found) return;
+  EnvelopeClearance& clearance = spot.clearance;
+  clearance.kind = EnvelopeClearance::Kind::together;
+  clearance.random_shapes = found->shapes;
+  if (!worst || found->closest.pair.distance < worst->pair.distance) worst = std::move(found->closest);
+  if (options.conservative) clearance.margin = 2.0 * std::max(search.tolerance, found->closer);
+}
+
 // What samples solved again tell of the spot.
-void complete(ClearanceSpot& spot, SampleShapes& shapes) {
+void complete(ClearanceSpot& spot, const ToleranceSpace& tolerances, const EnvelopeOptions& options,
+              const ClearanceOptions& clearance_options, SampleShapes& shapes) {
   EnvelopeClearance& clearance = spot.clearance;
   const EnvelopeSample& nearest = shapes.envelope().samples[spot.samples.front()];
   const auto solved = shapes.sample(spot.samples.front());
@@ -71,8 +96,16 @@ void complete(ClearanceSpot& spot, SampleShapes& shapes) {
     const auto found = distanceOf(shapes, sample, spot.exact);
     if (found && (!worst || found->pair.distance < worst->pair.distance)) worst = found;
   }
+  clearance.between_bodies = clearance.distance;
+  if (clearance.other) judgeTogether(spot, tolerances, options, clearance_options, shapes, worst);
   clearance.worst_sample = worst ? worst->pair.distance : std::numeric_limits<double>::infinity();
-  if (worst && worst->pair.distance < clearance.distance) takePlaceOf(*worst, clearance);
+  if (!worst) return;
+  const bool together = clearance.kind == EnvelopeClearance::Kind::together;
+  if (together || worst->pair.distance < clearance.distance) takePlaceOf(*worst, clearance);
+  if (together) {
+    clearance.distance = std::max(clearance.distance - clearance.margin,
+                                  std::min(clearance.between_bodies, clearance.distance));
+  }
 }
 
 }  // namespace
@@ -86,6 +119,7 @@ std::vector<EnvelopeClearance> clearances(const Scene& scene, const Envelope& en
     ComponentParts all;
     all.prepareAll(scene, parts);
     SampleShapes shapes(envelope, solve);
+    const ToleranceSpace tolerances(scene, envelope.variables);
     const SpotFinder finder(scene, envelope, options, all, shapes, clearance_options);
     std::vector<ClearanceSpot> spots = finder.find();
     std::set<std::size_t> needed;
@@ -96,7 +130,8 @@ std::vector<EnvelopeClearance> clearances(const Scene& scene, const Envelope& en
     shapes.prepare({needed.begin(), needed.end()});
     result.resize(spots.size());
     tbb::parallel_for(std::size_t{0}, spots.size(), [&](std::size_t i) {
-      complete(spots[i], shapes);
+      if (clearance_options.check) clearance_options.check();
+      complete(spots[i], tolerances, options, clearance_options, shapes);
       result[i] = std::move(spots[i].clearance);
     });
   });
@@ -107,9 +142,8 @@ std::vector<EnvelopeClearance> clearances(const Scene& scene, const Envelope& en
                                           const EnvelopeOptions& options, const ComponentParts& parts,
                                           const EquilibriumSolver& solver,
                                           const ClearanceOptions& clearance_options) {
-  const SampleSolver solve = [&](const EnvelopeSample& sample) {
-    return solveSample(scene, options, envelope, sample, solver);
-  };
+  const SampleFollower follower(scene, options, envelope, solver);
+  const SampleSolver solve = [&](const EnvelopeSample& sample) { return follower.solve(sample); };
   return clearances(scene, envelope, options, parts, solve, clearance_options);
 }
 

@@ -30,6 +30,16 @@ struct EnvelopeClearance {
   double nominal_time = 0.0;  ///< [s]
   double worst_sample = 0.0;  ///< smallest exact distance among harnesses solved within the tolerances [m]:
                               ///< what surely can happen; `distance` bounds what can
+  /// What `distance` is a figure of.
+  enum class Kind {
+    bodies,   ///< between convex bodies that hold all shapes, each at any time of a phase: a bound
+    together  ///< of two cables in one and the same harness at one time: the closest that a search down the
+              ///< slopes and random shapes have found, less `margin`; between bodies where that is more
+  };
+  Kind kind = Kind::bodies;
+  double margin = 0.0;  ///< twice what the search leaves, or what random shapes show it to have left [m]
+  std::size_t random_shapes = 0;  ///< looked at after the search, independent of it
+  double between_bodies = 0.0;    ///< the bound for cables whose shapes may be any of their bodies' [m]
   std::vector<std::uint32_t> colliding;  ///< triangles of the component's mesh (mergedMesh()) that enter the
                                          ///< envelope
 };
@@ -42,6 +52,7 @@ struct ClearanceOptions {
   /// likewise, else four times the sum of the cables' radii.
   std::optional<double> skip_near_joints;
   static constexpr double kNearClips = 0.03;  // a connector's length [m]
+  std::function<void()> check;  ///< called now and then, by any thread; may throw, which ends the work
 };
 
 /// Components that the envelope must be seen from for its clearances, to be put into
@@ -53,8 +64,8 @@ using SampleSolver = std::function<SolvedSample(const EnvelopeSample&)>;
 
 /// Of each cable of the envelope to each component that has a mesh, then of each two cables; left out is
 /// what wholly lies near clips or joints. A piece of the envelope counts as a whole if a part of it is
-/// further from them than is skipped. Between cables, pieces of one phase and branch are measured: shapes of
-/// different samples too, so the distance bounds what can happen from below.
+/// further from them than is skipped. Between cables, harnesses that can be are measured, see Kind::together;
+/// sections near joints are left out to the millimetre, by the way through the joint.
 /// @param options as the envelope was made with @param parts prepared before; the rest is prepared
 /// @param solver the design's shape to follow
 /// Throws std::invalid_argument: a component moves that the envelope is not seen from, skipped lengths that

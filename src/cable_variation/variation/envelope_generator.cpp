@@ -13,6 +13,7 @@
 #include <cable_variation/math/thread_limit.h>
 #include <cable_variation/variation/chosen_indices.h>
 #include <cable_variation/variation/envelope_assembly.h>
+#include <cable_variation/variation/envelope_memory.h>
 #include <cable_variation/variation/envelope_tightness.h>
 #include <cable_variation/variation/envelope_verification.h>
 #include <cable_variation/variation/envelope_warning.h>
@@ -26,10 +27,20 @@ namespace {
 constexpr double kWorthwhile = 0.4;
 // Rounds of looking at random shapes and taking in those that stick out.
 constexpr int kRounds = 6;
-// Random shapes that stick out by more than this share of the margin are taken in.
+// Random shapes that stick out by more than this share of the margin are taken in; in phases that leave more
+// than worthwhile gains, by so much more.
 constexpr double kTakenIn = 0.5;
-// Stretches are as long as this many radii of the thinnest cable, phases of a motion as far as so many.
-constexpr double kLongestStretch = 2.0, kStride = 0.5;
+// Stretches are as long as this many radii of the thinnest cable.
+constexpr double kLongestStretch = 2.0;
+// Phases of a motion are as far as so many radii any way, further where they go straight to so many.
+constexpr double kStride = 0.5, kReach = 3.0, kBow = 0.05;
+// Times of a phase that the design is followed through from one phase to the next.
+constexpr std::size_t kFollowedTimes = 4;
+// Solves of all phases together, and of each at most and at least, after which, again and again, half as much
+// is asked for: small gains come without end near snaps, and over long ways.
+constexpr std::size_t kPatience = 20000, kMostPatience = 150, kLeastPatience = 24;
+// Of more phases than this each forgets the derivatives of its shapes when it is done.
+constexpr std::size_t kFewPhases = 64;
 // A section turns as much as a clip near it, and the cable moves aside by that turn times some of its length.
 constexpr double kLever = 0.25;
 // Tell the random numbers of both kinds of shapes apart, and from those of a PointSet.
@@ -96,6 +107,7 @@ class Generator {
  private:
   static EnvelopeOptions checked(const Scene& scene, EnvelopeOptions options) {
     requirePositive("margin", options.margin, " m");
+    requirePositive("memory_limit", options.memory_limit, " B");
     if (!(options.from >= 0.0) || !std::isfinite(options.from) || !std::isfinite(options.to))
       throw std::invalid_argument("from and to: expected times of at least 0 s");
     if (options.conservative && options.verification == 0)
@@ -123,7 +135,13 @@ class Generator {
       const auto own = cutIntoStretches(cable, view, kLongestStretch * thinnest);
       stretches_.insert(stretches_.end(), own.begin(), own.end());
     }
-    phases_ = cutIntoPhases(space_, frames_, options_.from, end_, kStride * thinnest, kLever * longest);
+    memory_ = EnvelopeMemory(stretches_.size(), frames_.size(),
+                             static_cast<std::size_t>(space_.coordinates()), equilibrium);
+    refuseMoreThanMemory(options_, memory_, equilibrium);
+    options_.largest_solves = std::min(options_.largest_solves, memory_.mostShapes(options_.memory_limit));
+    const PhaseRule rule{kStride * thinnest, kReach * thinnest, kBow * thinnest, kLever * longest,
+                         memory_.mostPhases(options_.memory_limit)};
+    phases_ = cutIntoPhases(space_, frames_, options_.from, end_, rule, &wanted_phases_);
   }
 
   // The design's shape is followed from phase to phase, and each phase looked through by itself.
@@ -134,6 +152,7 @@ class Generator {
     for (const MotionPhase& phase : phases_) {
       report_({"shapes", 0.1 * static_cast<double>(searches_.size()) / static_cast<double>(phases_.size()), 0,
                phase.reference});
+      if (!searches_.empty()) approach(following, searches_.back().follower().referenceTime(), phase);
       const Harness harness = space_.harness(space_.designAt(phase.reference));
       const Equilibrium equilibrium = following.update(harness);
       if (!equilibrium.converged()) {
@@ -148,6 +167,21 @@ class Generator {
     run(allIndices(searches_.size()));
   }
 
+  // Follows the design through some times between two references.
+  void approach(EquilibriumSolver& following, double from, const MotionPhase& phase) const {
+    const std::vector<double>& before = searches_.back().times();
+    std::vector<double> times;
+    const auto take = [&](const std::vector<double>& of) {
+      const std::size_t step = std::max<std::size_t>(1, of.size() / kFollowedTimes);
+      for (std::size_t i = 0; i < of.size(); i += step) {
+        if (of[i] > from && of[i] < phase.reference) times.push_back(of[i]);
+      }
+    };
+    take(before);
+    take(phase.times);
+    for (const double time : times) following.update(space_.harness(space_.designAt(time)));
+  }
+
   void noticeJump(const ShapeFollower& before, const ShapeFollower& after) {
     const SamplePlace place = space_.designAt(after.referenceTime());
     const FollowedShape followed = before.follow(place, false);
@@ -160,13 +194,19 @@ class Generator {
     std::atomic<std::size_t> done{0}, solved{0};
     tbb::parallel_for(std::size_t{0}, which.size(), [&](std::size_t i) {
       PhaseSearch& search = searches_[which[i]];
-      search.run(options_.largest_solves, [&] {
+      search.run(options_.largest_solves, patience(), [&] {
         report_({"shapes", 0.1 + 0.5 * static_cast<double>(done) / static_cast<double>(which.size()),
                  solved + search.solves(), search.follower().referenceTime()});
       });
+      if (searches_.size() > kFewPhases) search.forgetRates();
       ++done;
       solved += search.solves();
     });
+  }
+
+  std::size_t patience() const {
+    if (searches_.size() == 1) return options_.largest_solves;
+    return std::clamp(kPatience / searches_.size(), kLeastPatience, kMostPatience);
   }
 
   // Random shapes, apart from those looked at before; those that stick out are taken in, until a round of
@@ -178,7 +218,10 @@ class Generator {
       const std::vector<RandomShape> shapes = look(drawn, options_.verification);
       drawn += options_.verification;
       envelope_.containment = summary(shapes);
-      if (envelope_.containment.largest_protrusion <= kTakenIn * options_.margin) return;
+      const bool well = std::all_of(shapes.begin(), shapes.end(), [&](const RandomShape& shape) {
+        return !shape.converged || shape.protrusion <= allowed(shape.phase);
+      });
+      if (well) return;
       if (round == kRounds) {
         warn(envelope_, "random shapes still stick out by ", 1e3 * envelope_.containment.largest_protrusion,
              " mm after ", round, " rounds of taking them in");
@@ -234,10 +277,13 @@ class Generator {
     return 2.0 * std::max(containment.largest_protrusion, kWorthwhile * options_.margin);
   }
 
+  // What a random shape may stick out of a phase without being taken in [m].
+  double allowed(std::size_t phase) const { return kTakenIn / kWorthwhile * searches_[phase].tolerance(); }
+
   void takeIn(const std::vector<RandomShape>& shapes) {
     std::vector<const RandomShape*> outside;
     for (const RandomShape& shape : shapes) {
-      if (shape.converged && shape.protrusion > kTakenIn * options_.margin) outside.push_back(&shape);
+      if (shape.converged && shape.protrusion > allowed(shape.phase)) outside.push_back(&shape);
     }
     std::vector<FollowedShape> solved(outside.size());
     tbb::parallel_for(std::size_t{0}, outside.size(), [&](std::size_t i) {
@@ -258,6 +304,31 @@ class Generator {
     envelope_.variables = options_.variables;
     envelope_.inflation = inflationFor(envelope_.containment);
     assembleEnvelope(searches_, options_.largest_solves, envelope_);
+    for (std::size_t i = 0; i < phases_.size(); ++i) {
+      envelope_.phases[i].excess = phases_[i].excess;
+      envelope_.motion_excess = std::max(envelope_.motion_excess, phases_[i].excess);
+    }
+    if (phases_.size() > 1) tellOfCoarsening();
+  }
+
+  void tellOfCoarsening() {
+    const std::size_t most = memory_.mostPhases(options_.memory_limit);
+    if (wanted_phases_ > most) {
+      warn(envelope_, "the motion has ", wanted_phases_, " phases; ", phases_.size(),
+           " longer ones are taken, for which ", memoryText(options_.memory_limit),
+           " are enough: their bodies span up to ", 1e3 * envelope_.motion_excess,
+           " mm beyond the way of a clip");
+    }
+    double coarsest = 0.0;
+    std::size_t coarser = 0;
+    for (const PhaseSearch& search : searches_) {
+      coarsest = std::max(coarsest, search.tolerance());
+      coarser += search.tolerance() > kWorthwhile * options_.margin ? 1 : 0;
+    }
+    if (coarser > 0) {
+      warn(envelope_, coarser, " of ", searches_.size(), " phases leave gains of up to ", 1e3 * coarsest,
+           " mm to the inflation: over a motion ", kPatience, " solves are shared among the phases");
+    }
   }
 
   // With shapes drawn apart from those for containment.
@@ -270,7 +341,8 @@ class Generator {
       return std::move(followed.shape);
     };
     envelope_.tightness = tightnessOf(
-        envelope_.frames.front().pieces, options_.voxel, options_.tightness, draw, [&](std::size_t done) {
+        envelope_.frames.front().pieces, options_.voxel, options_.tightness,
+        EnvelopeMemory::kForVoxels * options_.memory_limit, draw, [&](std::size_t done) {
           const double share = static_cast<double>(done) / static_cast<double>(options_.tightness);
           report_({"tightness", 0.9 + 0.1 * share, done, 0.0});
         });
@@ -281,10 +353,12 @@ class Generator {
   EquilibriumSolver solver_;
   Reporter report_;
   double end_ = 0.0;
+  EnvelopeMemory memory_;
   std::vector<std::string> frames_;
   std::vector<MaterialStretch> stretches_;
   StretchReader reader_{space_, stretches_, frames_};
   std::vector<MotionPhase> phases_;
+  std::size_t wanted_phases_ = 1;
   std::vector<PhaseSearch> searches_;
   Envelope envelope_;
 };

@@ -24,8 +24,11 @@ struct EnvelopeOptions : VariedDesign {
   std::size_t tightness = 0;          ///< shapes for tightness; 0: not computed
   double voxel = 0.0;                 ///< for tightness [m]; 0: a sixth of the thinnest cable's radius
   std::size_t largest_solves = 3000;  ///< per phase; ending there is warned of
-  std::uint64_t seed = 1;             ///< of the random shapes
-  std::size_t threads = 0;            ///< 0: as many as there are cores
+  /// That it may take, other than for its surface [B]: phases of a motion get longer where that is needed,
+  /// and what cannot be done within it is refused.
+  double memory_limit = 2e9;
+  std::uint64_t seed = 1;   ///< of the random shapes
+  std::size_t threads = 0;  ///< 0: as many as there are cores
 };
 
 struct EnvelopeProgress {
@@ -44,7 +47,8 @@ struct Cancelled : std::exception {
 };
 
 /// Throws std::invalid_argument: nothing varies, an index out of range, a motion that is empty, margins or
-/// counts that are none; std::runtime_error: no equilibrium at the design itself; Cancelled.
+/// counts that are none, what would take more memory than allowed, with what it would take;
+/// std::runtime_error: no equilibrium at the design itself; Cancelled.
 /// @param solver the design's shape to follow, best solved; else it is solved from nothing
 Envelope generateEnvelope(const Scene& scene, const EnvelopeOptions& options, const EquilibriumSolver& solver,
                           const EnvelopeObserver& observer = {});

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <limits>
 
 #include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <cable_variation/geometry/voxel_set.h>
 
@@ -15,6 +17,7 @@ namespace {
 
 // Voxels are as large as this share of the thinnest piece's radius.
 constexpr double kVoxel = 1.0 / 6.0;
+constexpr double kCoarser = 1.1;  // voxels, where they would take too much memory
 
 using VoxelSets = tbb::enumerable_thread_specific<VoxelSet>;
 
@@ -29,6 +32,9 @@ Box boxOf(const std::vector<EnvelopePiece>& pieces) {
   return box;
 }
 
+// Held at once: one for each thread, an empty one and the union.
+double voxelSets() { return static_cast<double>(tbb::this_task_arena::max_concurrency()) + 2.0; }
+
 double volumeOf(const VoxelSets& sets, const VoxelSet& none) {
   VoxelSet all = none;
   for (const VoxelSet& set : sets) all.unite(set);
@@ -38,17 +44,22 @@ double volumeOf(const VoxelSets& sets, const VoxelSet& none) {
 }  // namespace
 
 Tightness tightnessOf(const std::vector<EnvelopePiece>& pieces, double voxel, std::size_t shapes,
-                      const ShapeDrawer& draw, const std::function<void(std::size_t)>& progress) {
+                      double memory, const ShapeDrawer& draw,
+                      const std::function<void(std::size_t)>& progress) {
   Tightness tightness;
+  if (shapes == 0) return tightness;
   double thinnest = std::numeric_limits<double>::infinity();
   for (const EnvelopePiece& piece : pieces) thinnest = std::min(thinnest, piece.body.radius);
   tightness.voxel = voxel > 0.0 ? voxel : kVoxel * thinnest;
-  const VoxelSet none(boxOf(pieces), tightness.voxel);
+  const Box box = boxOf(pieces);
+  const double most = std::min(memory, voxelSets() * static_cast<double>(VoxelSet::kMost) / 8.0);
+  while (tightnessMemory(box, tightness.voxel) > most) tightness.voxel *= kCoarser;
+  const VoxelSet none(box, tightness.voxel);
   VoxelSets of_pieces(none);
   tbb::parallel_for(std::size_t{0}, pieces.size(),
                     [&](std::size_t i) { of_pieces.local().addBody(pieces[i].body); });
   tightness.envelope_volume = volumeOf(of_pieces, none);
-  if (shapes == 0) return tightness;
+  of_pieces.clear();
 
   VoxelSets of_shapes(none);
   std::atomic<std::size_t> done{0}, drawn{0};
@@ -68,6 +79,12 @@ Tightness tightnessOf(const std::vector<EnvelopePiece>& pieces, double voxel, st
   tightness.shapes = drawn;
   tightness.shapes_volume = volumeOf(of_shapes, none);
   return tightness;
+}
+
+double tightnessMemory(const Box& box, double voxel) {
+  constexpr double kBits = 64.0, kWord = 8.0;
+  const Eigen::Array3d count = ((box.high - box.low) / voxel).ceil().max(1.0);
+  return voxelSets() * kWord * std::ceil(count.x() / kBits) * count.y() * count.z();
 }
 
 }  // namespace cable_variation

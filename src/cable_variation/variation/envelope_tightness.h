@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include <cable_variation/geometry/box.h>
 #include <cable_variation/variation/envelope.h>
 #include <cable_variation/variation/stretch_shape.h>
 
@@ -13,9 +14,14 @@ namespace cable_variation {
 using ShapeDrawer = std::function<std::optional<StretchShape>(std::size_t index)>;
 
 /// The volume of the pieces, seen from the world, beside that of the first `shapes` random shapes.
-/// @param voxel edge [m]; 0: a sixth of the thinnest piece's radius
+/// @param voxel edge [m]; 0: a sixth of the thinnest piece's radius. Larger where the voxels would take more
+/// than `memory` [B]: Tightness::voxel tells
 /// @param progress told now and then how many shapes are done, by any thread; may throw
 Tightness tightnessOf(const std::vector<EnvelopePiece>& pieces, double voxel, std::size_t shapes,
-                      const ShapeDrawer& draw, const std::function<void(std::size_t)>& progress);
+                      double memory, const ShapeDrawer& draw,
+                      const std::function<void(std::size_t)>& progress);
+
+/// What the voxels of a box take, one set for each thread and two more [B].
+double tightnessMemory(const Box& box, double voxel);
 
 }  // namespace cable_variation

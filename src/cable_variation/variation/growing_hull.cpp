@@ -2,11 +2,11 @@
 
 namespace cable_variation {
 
-double GrowingHull::add(const Eigen::Vector3d& point, Tag tag) {
+double GrowingHull::add(const Eigen::Vector3d& point, Tag tag, double slack) {
   double height = 0.0;
   if (hull_) {
     height = hull_->height(point);
-    if (height <= 0.0 || (height <= kSlack && hull_->closest(point).distance <= kSlack)) return 0.0;
+    if (height <= 0.0 || (height <= slack && hull_->closest(point).distance <= slack)) return 0.0;
   }
   waiting_.push_back(point);
   waiting_tags_.push_back(tag);
@@ -30,8 +30,8 @@ bool GrowingHull::rebuild() {
     tags.push_back(waiting_tags_[source == ConvexHull::kAdded ? 0 : source]);
   }
   tags_ = std::move(tags);
-  waiting_.clear();
-  waiting_tags_.clear();
+  waiting_ = std::vector<Eigen::Vector3d>();  // and their memory
+  waiting_tags_ = std::vector<Tag>();
   return true;
 }
 

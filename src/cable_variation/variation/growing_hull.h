@@ -15,12 +15,9 @@ class GrowingHull {
     float share = 0.0F;        ///< of its stretch: 0 at the start, 1 at the end
   };
 
-  /// Points that stick out by no more than this are not taken in: pieces are rounded by as much more [m].
-  static constexpr double kSlack = 2e-6;
-
-  /// Keeps the point for the next rebuild(), unless it is inside already. @return how far at least it sticks
-  /// out of the hull as it is [m]
-  double add(const Eigen::Vector3d& point, Tag tag);
+  /// Keeps the point for the next rebuild(), unless it is inside already or sticks out by no more than
+  /// `slack` [m]. @return how far at least it sticks out of the hull as it is [m]; 0 if not kept
+  double add(const Eigen::Vector3d& point, Tag tag, double slack);
   /// Takes in what was added. @return whether the hull has changed
   bool rebuild();
 

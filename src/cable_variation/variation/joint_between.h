@@ -21,4 +21,9 @@ struct JointBetween {
 /// The first joint between two cables, whichever is the parent.
 std::optional<JointBetween> jointBetween(const Harness& harness, std::size_t first, std::size_t second);
 
+/// Where two cables hang together, directly or by others between them: by the shortest way along those, which
+/// is taken off `shortest_way` [m]. None if they do not, or if that way alone is as long.
+std::optional<JoinedAt> joinedAlong(const Harness& harness, std::size_t first, std::size_t second,
+                                    double shortest_way);
+
 }  // namespace cable_variation

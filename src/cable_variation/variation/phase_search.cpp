@@ -14,6 +14,9 @@ constexpr double kSharp = 0.87;  // cosine between the normals of facets that me
 constexpr double kAboutToSnap = 4.0;
 // Derivatives that miss by this share of the motion lead astray; believed for less than so much, not at all.
 constexpr double kAstray = 0.3, kLeastTrust = 0.1;
+// Points that stick out of a hull by less than this share of the tolerance, or this length [m], are not taken
+// in: pieces are rounded by as much more.
+constexpr double kSlack = 0.2, kLeastSlack = 2e-6;
 constexpr int kSteps = 32;  // that deviations are told apart by, over a tolerance
 
 // The faces, edges and corners of a cube.
@@ -43,7 +46,11 @@ Eigen::VectorXd halfRanges(const ToleranceSpace& tolerances, const Eigen::Matrix
 }  // namespace
 
 PhaseSearch::PhaseSearch(ShapeFollower follower, std::vector<double> times, double tolerance)
-    : follower_(std::move(follower)), times_(std::move(times)), tolerance_(tolerance) {
+    : follower_(std::move(follower)),
+      times_(std::move(times)),
+      first_tolerance_(tolerance),
+      tolerance_(tolerance),
+      slack_(std::max(kLeastSlack, kSlack * tolerance)) {
   const SampleSpace& space = follower_.reader().space();
   const Eigen::Index variables = space.tolerances().size();
   const Eigen::Index others = space.coordinates() - variables;
@@ -55,6 +62,7 @@ PhaseSearch::PhaseSearch(ShapeFollower follower, std::vector<double> times, doub
   widths_ = halfRanges(space.tolerances(), poses_);
   branches_.emplace_back();
   radius_.assign(follower_.reader().stretches().size(), 0.0);
+  own_radius_ = radius_;
   reach_ = largestReach(follower_.reference());
   insert(follower_.reference(), 0);
   rebuild();
@@ -72,19 +80,25 @@ void PhaseSearch::insert(const StretchShape& shape, std::size_t branch) {
       const auto& points = shape.control[frame][i];
       for (std::size_t k = 0; k < points.size(); ++k) {
         const float share = static_cast<float>(k) / static_cast<float>(points.size() - 1);
-        gained_ = std::max(gained_, of.hulls[frame][i].add(points[k], {sample, share}));
+        gained_ = std::max(gained_, of.hulls[frame][i].add(points[k], {sample, share}, slack_));
       }
     }
   }
   for (std::size_t i = 0; i < radius_.size(); ++i) {
-    radius_[i] = std::max(radius_[i], shape.radius[i] + GrowingHull::kSlack);
+    own_radius_[i] = std::max(own_radius_[i], shape.radius[i]);
   }
+  updateRadius();
   discretisation_error_ = std::max(discretisation_error_, shape.discretisation_error);
   samples_.push_back(shape);
   samples_.back().control.clear();
   sample_coordinates_.push_back(follower_.coordinates(shape.place));
   sample_branch_.push_back(branch);
   trust_.push_back(largestReach(shape) <= kAboutToSnap * reach_ ? 1.0 : 0.0);
+}
+
+void PhaseSearch::updateRadius() {
+  for (std::size_t i = 0; i < radius_.size(); ++i)
+    radius_[i] = own_radius_[i] + slack_ + 2.0 * (tolerance_ - first_tolerance_);
 }
 
 // The furthest that all coordinates together (root sum of squares) move an end, by the derivatives [m].
@@ -236,7 +250,7 @@ std::vector<int> PhaseSearch::key(const Candidate& candidate) const {
 }
 
 // The candidate of the largest gain first, and after each what it is expected to leave of the others'.
-std::vector<PhaseSearch::Candidate> PhaseSearch::choose(const std::vector<Push>& pushes) {
+std::vector<PhaseSearch::Candidate> PhaseSearch::choose(const std::vector<Push>& pushes, std::size_t most) {
   const Eigen::Index variables = follower_.reader().space().tolerances().size();
   const auto count = static_cast<Eigen::Index>(pushes.size());
   // side by side: this is gone through for every candidate
@@ -250,7 +264,7 @@ std::vector<PhaseSearch::Candidate> PhaseSearch::choose(const std::vector<Push>&
   }
   std::vector<Candidate> chosen;
   Eigen::Index best = 0;
-  while (chosen.size() < kShapesPerRound && count > 0 && left.maxCoeff(&best) > tolerance_) {
+  while (chosen.size() < most && count > 0 && left.maxCoeff(&best) > tolerance_) {
     const Push& push = pushes[static_cast<std::size_t>(best)];
     const Candidate candidate{push.sample, push.target, push.pose};
     left[best] = 0.0F;
@@ -330,12 +344,30 @@ void PhaseSearch::fitCurvature() {
   curvature_.fit(samples_, sample_coordinates_, believed, widths_);
 }
 
-void PhaseSearch::run(std::size_t largest_solves, const std::function<void()>& check) {
+void PhaseSearch::forgetRates() {
+  for (std::size_t i = 1; i < samples_.size(); ++i) {
+    SamplePlace place = std::move(samples_[i].place);
+    samples_[i] = StretchShape();
+    samples_[i].place = std::move(place);
+    sample_coordinates_[i].resize(0);
+    trust_[i] = 0.0;
+  }
+  curvature_ = CurvatureModel();
+  fitted_ = samples_.size();
+}
+
+void PhaseSearch::run(std::size_t largest_solves, std::size_t patience, const std::function<void()>& check) {
   rebuild();
+  if (patient_until_ == 0) patient_until_ = patience;
   for (;;) {
     check();
+    for (; solves_ > patient_until_; patient_until_ += patience) {
+      tolerance_ *= 2.0;
+      slack_ = std::max(slack_, kSlack * tolerance_);
+      updateRadius();
+    }
     fitCurvature();
-    const std::vector<Candidate> candidates = choose(pushes());
+    const std::vector<Candidate> candidates = choose(pushes(), std::min(kShapesPerRound, patience));
     if (candidates.empty()) return;
     if (solves_ + candidates.size() > largest_solves) {
       exhausted_ = true;

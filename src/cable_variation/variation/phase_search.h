@@ -24,17 +24,23 @@ class PhaseSearch {
   /// Until no facet of a hull is expected to move out by more than the tolerance, or none did although
   /// expected, or `largest_solves` shapes are solved. `check` is called before each shape, by any thread, and
   /// may throw.
-  void run(std::size_t largest_solves, const std::function<void()>& check);
+  /// @param patience so many solves later, and again each time, the tolerance doubles
+  void run(std::size_t largest_solves, std::size_t patience, const std::function<void()>& check);
+
+  /// Lets go of what the shapes but the first tell of others, which takes most of the memory. A search that
+  /// goes on later starts from the first and from those added since.
+  void forgetRates();
 
   const ShapeFollower& follower() const { return follower_; }
   const std::vector<double>& times() const { return times_; }
   std::size_t solves() const { return solves_; }
   std::size_t failures() const { return failures_; }
-  bool exhausted() const { return exhausted_; }  ///< largest_solves came first
+  double tolerance() const { return tolerance_; }  ///< in the end [m]
+  bool exhausted() const { return exhausted_; }    ///< largest_solves came first
   double discretisationError() const { return discretisation_error_; }
   const std::vector<StretchShape>& samples() const { return samples_; }
   const std::vector<std::size_t>& sampleBranches() const { return sample_branch_; }
-  /// Per stretch, the largest with what hulls leave out [m].
+  /// Per stretch, the largest with what hulls leave out [m]: twice what the tolerance has grown by, too.
   const std::vector<double>& radius() const { return radius_; }
 
   /// The shapes of one equilibrium and what it leads to.
@@ -72,24 +78,27 @@ class PhaseSearch {
   void climb(const Eigen::VectorXd& here, Scratch& scratch) const;
   void fitCurvature();
   double largestReach(const StretchShape& shape) const;
-  std::vector<Candidate> choose(const std::vector<Push>& pushes);
+  std::vector<Candidate> choose(const std::vector<Push>& pushes, std::size_t most);
   void solve(const std::vector<Candidate>& candidates, const std::function<void()>& check);
   void learn(const Candidate& candidate, const FollowedShape& found);
   void insert(const StretchShape& shape, std::size_t branch);
+  void updateRadius();
   void rebuild();
   std::size_t branchOf(const FollowedShape::Jump& jump);
   std::vector<int> key(const Candidate& candidate) const;
 
   ShapeFollower follower_;
   std::vector<double> times_;
-  double tolerance_;
-  Eigen::MatrixXd poses_;   // per time, coordinates of the motions relative to the reference
-  Eigen::VectorXd widths_;  // per coordinate, half its range
+  double first_tolerance_, tolerance_;
+  double slack_;                   // see kSlack [m]
+  std::size_t patient_until_ = 0;  // so many solves
+  Eigen::MatrixXd poses_;          // per time, coordinates of the motions relative to the reference
+  Eigen::VectorXd widths_;         // per coordinate, half its range
   std::vector<StretchShape> samples_;
   std::vector<Eigen::VectorXd> sample_coordinates_;
   std::vector<std::size_t> sample_branch_;
   std::vector<double> trust_;  // per sample: the share of a way that its derivatives are believed for
-  std::vector<double> radius_;
+  std::vector<double> own_radius_, radius_;  // of the shapes alone, and see radius()
   std::vector<Branch> branches_;
   CurvatureModel curvature_;
   std::size_t fitted_ = 0;  // shapes that it knows

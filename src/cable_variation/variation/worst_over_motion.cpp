@@ -45,8 +45,10 @@ class Search {
     for (const CableShape& shape : start.shapes) thinnest = std::min(thinnest, shape.radius);
     for (const Cable& cable : first.cables) longest = std::max(longest, cable.length);
     std::vector<MeasureValue> near;
-    for (MotionPhase& phase :
-         cutIntoPhases(space_, {"world"}, from, to, kStride * thinnest, kLever * longest)) {
+    PhaseRule rule;
+    rule.stride = kStride * thinnest;
+    rule.lever = kLever * longest;
+    for (MotionPhase& phase : cutIntoPhases(space_, {"world"}, from, to, rule)) {
       if (!goes_on()) return false;
       const SamplePlace place = space_.designAt(phase.reference);
       const Harness harness = space_.harness(place);

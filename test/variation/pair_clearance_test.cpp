@@ -1,0 +1,230 @@
+// Clearances of two cables: against closed forms, and against harnesses drawn and solved apart from the
+// search.
+#include <cable_variation/variation/envelope_clearance.h>
+
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include <cable_variation/scene/scene_reader.h>
+#include <cable_variation/variation/cable_view.h>
+#include <cable_variation/variation/joint_between.h>
+#include <cable_variation/variation/tolerance_space.h>
+
+#include "envelope_scenes.h"
+#include "test_packages.h"
+
+namespace cable_variation::test {
+namespace {
+
+using Eigen::Vector3d;
+using Kind = EnvelopeClearance::Kind;
+
+constexpr double kDegree = M_PI / 180.0;
+constexpr double kLength = 0.2, kRadius = 0.004;
+
+// Two straight cables without weight, each held at its start only: at the origin along x, and at `at` along
+// `direction`. Both clips ride on the part "plate".
+Scene twoRods(const Vector3d& at, const Vector3d& direction) {
+  Scene scene = freeRod(kLength, kRadius);
+  Harness& harness = scene.harness;
+  harness.cables.push_back(harness.cables[0]);
+  harness.cables[1].name = "other";
+  harness.clips.push_back(harness.clips[0]);
+  harness.clips[1].name = "other_clip";
+  harness.clips[1].cable = 1;
+  harness.clips[1].pose = {at, Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitX(), direction)};
+  Component plate;
+  plate.name = "plate";
+  scene.components = {plate};
+  scene.clip_mounts.assign(2, {"plate", Pose()});
+  scene.clip_mounts[1].pose = harness.clips[1].pose;
+  return scene;
+}
+
+struct Found {
+  Envelope envelope;
+  EnvelopeClearance pair;
+};
+
+Found between(const Scene& scene, EnvelopeOptions options = {}) {
+  if (options.variables.empty()) options.variables = allOf(scene.design_variables.size());
+  options.verification = 300;
+  EquilibriumSolver solver = solverOf(scene);
+  if (!solver.solve(scene.harness).converged()) throw std::runtime_error("not solved");
+  Found found{generateEnvelope(scene, options, solver), {}};
+  for (const EnvelopeClearance& each : clearances(scene, found.envelope, options, ComponentParts(), solver)) {
+    if (each.other) found.pair = each;
+  }
+  return found;
+}
+
+// Both go up and down together by far more than the gap between them: their bodies overlap, they never do.
+TEST(pair_clearance, what_moves_together_never_meets) {
+  constexpr double kGap = 0.02;
+  Scene scene = twoRods({0.0, 0.0, kGap}, Vector3d::UnitX());
+  addVariable(scene, "lift", ComponentTranslation{0, Axis::z}, -0.03, 0.03);
+  const EnvelopeClearance pair = between(scene).pair;
+  EXPECT_LT(pair.between_bodies, 0.0);
+  EXPECT_EQ(pair.kind, Kind::together);
+  EXPECT_NEAR(pair.worst_sample, kGap - 2.0 * kRadius, 1e-7);
+  EXPECT_NEAR(pair.distance, pair.worst_sample - pair.margin, 1e-12);
+  EXPECT_LE(pair.margin, 1e-4);
+  EXPECT_EQ(pair.random_shapes, 300U);
+}
+
+// Closest where both are at limits that neither is at for its own sake.
+TEST(pair_clearance, corners_of_two_variables_meet) {
+  constexpr double kGap = 0.03, kEach = 0.012;
+  Scene scene = twoRods({0.0, 0.0, kGap}, Vector3d::UnitX());
+  addVariable(scene, "first", ClipTranslation{0, Axis::z}, -kEach, kEach);
+  addVariable(scene, "second", ClipTranslation{1, Axis::z}, -kEach, kEach);
+  const EnvelopeClearance pair = between(scene).pair;
+  const double expected = kGap - 2.0 * kEach - 2.0 * kRadius;
+  EXPECT_NEAR(pair.worst_sample, expected, 1e-7);
+  EXPECT_LE(pair.distance, expected + 1e-9);
+  EXPECT_GE(pair.distance, expected - 2e-4);
+  EXPECT_NEAR(pair.deviations[0], kEach, 1e-9);
+  EXPECT_NEAR(pair.deviations[1], -kEach, 1e-9);
+}
+
+// The second cable turns past the tip of the first, within its tolerances and not at their limits.
+TEST(pair_clearance, a_contact_inside_the_tolerances_is_found) {
+  const Vector3d at(0.5 * kLength, -0.15, 0.006);
+  Scene scene = twoRods(at, Vector3d::UnitY());
+  scene.harness.cables[1].length = scene.harness.cables[0].length = kLength;
+  addVariable(scene, "turn", ClipRotation{1, Axis::z}, -75.0 * kDegree, 60.0 * kDegree);
+  DesignValues turned;
+  // the nominal one points away
+  EnvelopeOptions options;
+  options.values["turn"] = 0.0;
+  scene.harness.clips[1].pose.orientation =
+      Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitX(), Vector3d(-1.0, -0.3, 0.0).normalized());
+  scene.clip_mounts[1].pose = scene.harness.clips[1].pose;
+  const EnvelopeClearance pair = between(scene, options).pair;
+  // brute force over the turn, of straight lines
+  double least = 1.0;
+  for (double turn = -75.0; turn <= 60.0; turn += 0.05) {
+    const Vector3d along =
+        (scene.harness.clips[1].pose.orientation * so3::exp({0.0, 0.0, turn * kDegree})) * Vector3d::UnitX();
+    for (int i = 0; i <= 200; ++i) {
+      const Vector3d point = at + kLength * i / 200.0 * along;
+      const Vector3d near(std::clamp(point.x(), 0.0, kLength), 0.0, 0.0);
+      least = std::min(least, (point - near).norm() - 2.0 * kRadius);
+    }
+  }
+  EXPECT_LE(pair.distance, least + 1e-4);
+  EXPECT_GE(pair.distance, least - 5e-4);
+}
+
+// The plate carries the second cable past the first: they meet for a moment only.
+TEST(pair_clearance, a_contact_at_one_moment_of_a_motion_is_found) {
+  Scene scene = twoRods({0.0, -0.05, 0.006}, Vector3d::UnitX());
+  scene.clip_mounts[0] = {"world", Pose()};
+  Motion motion;
+  motion.name = "pass";
+  motion.component = "plate";
+  for (int i = 0; i <= 100; ++i) {
+    const double y = 0.001 * i;
+    motion.samples.push_back({0.01 * i, {Vector3d(0.0, y, 0.0), Eigen::Quaterniond::Identity()}});
+  }
+  scene.motions = {motion};
+  EnvelopeOptions options;
+  options.motions = {0};
+  const EnvelopeClearance pair = between(scene, options).pair;
+  EXPECT_NEAR(pair.worst_sample, 0.006 - 2.0 * kRadius, 1e-5);
+  EXPECT_NEAR(pair.time, 0.5, 0.02);
+  EXPECT_LT(pair.distance, 0.0);
+  // seen from the plate or not: what never comes closer than 30 mm is not held to be
+  scene.motions[0].samples.resize(21);
+  const EnvelopeClearance apart = between(scene, options).pair;
+  EXPECT_NEAR(apart.distance, std::hypot(0.03, 0.006) - 2.0 * kRadius, 2e-4);
+}
+
+// a -- trunk -- b: b leaves the trunk 30 mm after a, 10 mm from its own start; c hangs on b's far end.
+TEST(pair_clearance, the_way_between_cables_goes_along_others) {
+  Harness harness;
+  const auto join = [&](std::size_t parent, double at, std::size_t child, double on_child) {
+    Joint joint;
+    joint.parent = parent;
+    joint.child = child;
+    joint.parent_arc_length = at;
+    joint.child_arc_length = on_child;
+    harness.joints.push_back(joint);
+  };
+  constexpr std::size_t kTrunk = 0, kA = 1, kB = 2, kC = 3, kAlone = 4;
+  join(kTrunk, 0.05, kA, 0.0);
+  join(kTrunk, 0.08, kB, 0.01);
+  join(kB, 0.1, kC, 0.0);
+  const auto way = [&](std::size_t first, std::size_t second) {
+    return joinedAlong(harness, first, second, 0.2);
+  };
+  ASSERT_TRUE(way(kA, kB));
+  EXPECT_EQ(way(kA, kB)->on_cable, 0.0);
+  EXPECT_EQ(way(kA, kB)->on_other, 0.01);
+  EXPECT_NEAR(way(kA, kB)->shortest_way, 0.2 - 0.03, 1e-15);
+  EXPECT_EQ(way(kB, kA)->on_cable, 0.01);
+  EXPECT_NEAR(way(kTrunk, kC)->shortest_way, 0.2 - 0.09, 1e-15);
+  EXPECT_NEAR(way(kC, kA)->shortest_way, 0.2 - 0.09 - 0.03, 1e-15);
+  EXPECT_NEAR(way(kTrunk, kA)->shortest_way, 0.2, 1e-15);
+  EXPECT_FALSE(way(kA, kAlone));
+  EXPECT_FALSE(joinedAlong(harness, kC, kA, 0.1));  // further apart than that in any case
+  join(kTrunk, 0.055, kC, 0.3);                     // a loop: now c's end is nearer
+  EXPECT_NEAR(way(kA, kC)->shortest_way, 0.2 - 0.005, 1e-15);
+  EXPECT_EQ(way(kA, kC)->on_other, 0.3);
+}
+
+// Shipped, with its breakout: what is told holds for harnesses drawn and solved here, and is no false alarm.
+TEST(pair_clearance, of_shipped_harnesses_holds_and_warns_of_nothing) {
+  for (const std::string name : {"harness", "harness_clipped"}) {
+    const std::string root = CABLE_VARIATION_SOURCE_DIR;
+    const Scene scene =
+        readScene(root + "/config/" + name + ".yaml", [&](const std::string&) { return root; });
+    EnvelopeOptions options;
+    options.variables = {0, 1, 2, 5, 6, 7};
+    const Found found = between(scene, options);
+    const EnvelopeClearance& pair = found.pair;
+    EXPECT_EQ(pair.kind, Kind::together) << name;
+    EXPECT_GT(pair.distance, 0.0) << name;
+    EXPECT_LE(pair.distance, pair.worst_sample) << name;
+
+    const ToleranceSpace tolerances(scene, options.variables);
+    const CounterRandom random(77, 1);
+    EquilibriumSolver solver = solverOf(scene);
+    ASSERT_TRUE(solver.solve(scene.harness).converged());
+    const auto& radii = solver.update(scene.harness).shapes;
+    const double way = 4.0 * (radii[pair.cable].radius + radii[*pair.other].radius);
+    double least = 1.0;
+    for (std::uint64_t i = 0; i < 400; ++i) {
+      RandomRow numbers(random, i);
+      const Eigen::VectorXd deviations =
+          i % 2 == 0 ? tolerances.random(numbers) : tolerances.randomNearLimits(numbers);
+      DesignValues values;
+      for (std::size_t k = 0; k < options.variables.size(); ++k) {
+        const DesignVariable& variable = scene.design_variables[options.variables[k]];
+        values[variable.name] = variable.nominal + deviations[static_cast<Eigen::Index>(k)];
+      }
+      EquilibriumSolver aside = solver;
+      const Harness harness = harnessAt(scene, values);
+      const Equilibrium drawn = aside.update(harness);
+      ASSERT_TRUE(drawn.converged());
+      // brute force along both
+      const CableShape &first = drawn.shapes[pair.cable], &second = drawn.shapes[*pair.other];
+      const auto joint = jointBetween(harness, pair.cable, *pair.other);
+      ASSERT_TRUE(joint);
+      for (double s = 0.0; s <= first.points.back().arc_length; s += 0.002) {
+        for (double t = 0.0; t <= second.points.back().arc_length; t += 0.002) {
+          if (std::abs(s - joint->on_first) + std::abs(t - joint->on_second) < way) continue;
+          least =
+              std::min(least, (first.position(s) - second.position(t)).norm() - first.radius - second.radius);
+        }
+      }
+    }
+    EXPECT_LE(pair.distance, least) << name;
+    EXPECT_GE(pair.distance, least - 2e-3) << name;
+  }
+}
+
+}  // namespace
+}  // namespace cable_variation::test
