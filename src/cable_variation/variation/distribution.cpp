@@ -4,7 +4,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include <boost/math/distributions/beta.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/skew_normal.hpp>
 #include <boost/math/distributions/triangular.hpp>
@@ -12,6 +11,7 @@
 #include <boost/math/distributions/weibull.hpp>
 
 #include <cable_variation/scene/quantity.h>
+#include <cable_variation/variation/beta_distribution.h>
 #include <cable_variation/variation/quantile_search.h>
 #include <cable_variation/variation/region_distribution.h>
 #include <cable_variation/variation/sample_distribution.h>
@@ -79,18 +79,27 @@ class SkewNormal final : public Distribution {
 class TruncatedNormal final : public Distribution {
  public:
   TruncatedNormal(double low, double high, double k)
-      : middle_(0.5 * (low + high)), half_(0.5 * (high - low)), k_(k), share_(std::erf(k / std::sqrt(2.0))) {}
+      : middle_(0.5 * (low + high)),
+        half_(0.5 * (high - low)),
+        k_(std::max(k, RegionDistribution::kEven)),
+        share_(std::erf(k_ / std::sqrt(2.0))) {}
 
   double mean() const override { return middle_; }
   // of one coordinate in a ball of one dimension
   double standardDeviation() const override { return RegionDistribution(1, half_, k_).standardDeviation(); }
   double cdf(double deviation) const override {
     const double u = std::clamp((deviation - middle_) / half_, -1.0, 1.0);
-    return 0.5 * (1.0 + std::erf(k_ * u / std::sqrt(2.0)) / share_);
+    // from the nearer end, where the difference of shares about 1 would be none
+    const double beyond = std::erfc(k_ * std::abs(u) / std::sqrt(2.0)) - std::erfc(k_ / std::sqrt(2.0));
+    const double within = 0.5 * beyond / share_;
+    return u < 0.0 ? within : 1.0 - within;
   }
   double quantile(double probability) const override {
-    const double u = std::sqrt(2.0) / k_ * boost::math::erf_inv((2.0 * probability - 1.0) * share_);
-    return middle_ + half_ * std::clamp(u, -1.0, 1.0);
+    // from the nearer end: the share that is cut off beyond it, and that within
+    const double within = std::min(probability, 1.0 - probability);
+    const double u =
+        std::sqrt(2.0) / k_ * boost::math::erfc_inv(std::erfc(k_ / std::sqrt(2.0)) + 2.0 * share_ * within);
+    return middle_ + std::copysign(half_ * std::clamp(u, 0.0, 1.0), probability - 0.5);
   }
 
  private:
@@ -189,7 +198,7 @@ class Reader {
     }
     if (type == "beta") {
       const double alpha = parameter("alpha", Range::positive());
-      return scaled(beta_distribution<>(alpha, parameter("beta", Range::positive())), low(), width());
+      return std::make_unique<BetaDistribution>(low(), high(), alpha, parameter("beta", Range::positive()));
     }
     if (type == "weibull") return ofWeibull();
     if (type == "skew_normal") {

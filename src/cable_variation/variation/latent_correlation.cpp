@@ -47,7 +47,8 @@ class HermiteSeries {
     constexpr double kJump = 0.02, kNarrow = 1e-9;
     const double middle = 0.5 * (from + to), rise = at_to - at_from;
     if (rise == 0.0) return;
-    if (rise > kJump * sigma_ && to - from > kNarrow) {
+    // h_k √φ is bounded: far out only large rises count
+    if (rise * std::exp(-0.25 * middle * middle) > kJump * sigma_ && to - from > kNarrow) {
       const double at_middle = marginal_.ofScore(middle);
       add(from, at_from, middle, at_middle);
       add(middle, at_middle, to, at_to);

@@ -1,5 +1,6 @@
 #include <cable_variation/variation/region_distribution.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include <boost/math/distributions/beta.hpp>
@@ -19,7 +20,7 @@ double chiSquaredShare(int freedoms, double x) { return boost::math::gamma_p(0.5
 }  // namespace
 
 RegionDistribution::RegionDistribution(int dimensions, double radius, double sigma)
-    : dimensions_(dimensions), radius_(radius), sigma_(sigma) {}
+    : dimensions_(dimensions), radius_(radius), sigma_(sigma == 0.0 ? 0.0 : std::max(sigma, kEven)) {}
 
 double RegionDistribution::standardDeviation() const {
   if (sigma_ == 0.0) return radius_ / std::sqrt(dimensions_ + 2.0);
@@ -47,8 +48,10 @@ double RegionDistribution::cdf(double deviation) const {
   using Quadrature = boost::math::quadrature::gauss_kronrod<double, 31>;
   constexpr unsigned kDepth = 8;
   constexpr double kRelativeError = 1e-12;
-  const double part =
-      u == 0.0 ? 0.0 : Quadrature::integrate(density, 0.0, std::asin(std::abs(u)), kDepth, kRelativeError);
+  constexpr double kNothing =
+      40.0;  // standard deviations beyond which there is none: a wide region's outside
+  const double end = std::asin(std::min(std::abs(u), kNothing / k));
+  const double part = u == 0.0 ? 0.0 : Quadrature::integrate(density, 0.0, end, kDepth, kRelativeError);
   const double whole = std::sqrt(2.0 * kPi) * chiSquaredShare(dimensions_, k * k);
   return 0.5 + std::copysign(part / whole, u);
 }

@@ -7,6 +7,9 @@ namespace cable_variation {
 /// One coordinate of a point in a ball of some dimensions (3: ball, 2: disc, cone).
 class RegionDistribution final : public Distribution {
  public:
+  /// Cut off at so few standard deviations a normal distribution is even, to 1e-12.
+  static constexpr double kEven = 1e-6;
+
   /// @param radius of the ball
   /// @param sigma 0: the point is spread evenly; else normal, the radius being that many standard
   /// deviations of each coordinate, and cut off at the radius
