@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -12,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <cable_variation/scene/scene_reader.h>
+#include <cable_variation/variation/worst_over_motion.h>
 
 #include "envelope_scenes.h"
 
@@ -368,6 +370,75 @@ TEST(simulation, over_a_motion_takes_the_worst_of_every_sample) {
     }
   }
   EXPECT_EQ(votes, 256u);
+}
+
+// A bend radius that is infinite at all times, one that has a say, and what has neither derivative nor limit
+// do not change the times that the others are looked at.
+TEST(simulation, over_a_motion_an_infinite_measure_has_no_say) {
+  Scene scene = turningRod();
+  Component part;
+  part.name = "part";
+  scene.components.push_back(part);
+  scene.clip_mounts[0].component = "part";
+  Motion motion;
+  motion.name = "swing";
+  motion.component = "part";
+  for (int i = 0; i <= 200; ++i) {
+    const double time = 1.0 + 0.005 * i;
+    const double angle = 10.0 * kDegree * std::sin(4.0 * M_PI * time);
+    const Eigen::Vector3d position = 0.05 * std::sin(2.0 * M_PI * time) * Eigen::Vector3d::UnitX();
+    motion.samples.push_back({time, {position, so3::exp(angle * Eigen::Vector3d::UnitY())}});
+  }
+  scene.motions.push_back(motion);
+  scene.measures[0].lower = 0.0;
+  scene.measures[0].upper = 0.2;
+  Measure bend = measure(Measure::Type::bend_radius, "bend");
+  bend.unit = "m";
+  bend.lower = 0.06;
+  scene.measures.push_back(bend);
+  SimulationOptions options = optionsFor(scene, 64);
+  options.motions = {0};
+  options.from = 1.0;
+  options.to = 2.0;
+  options.measures = {0, 1};
+  const Simulation without = simulate(scene, options).simulation;
+  EXPECT_GT(without.times.size(), 2u);
+  for (const std::vector<std::size_t>& measures :
+       std::vector<std::vector<std::size_t>>{{0, 1, 2}, {2, 0, 1}, {0, 2, 1}}) {
+    options.measures = measures;
+    const Simulation with = simulate(scene, options).simulation;
+    ASSERT_EQ(with.times.size(), without.times.size());
+    for (std::size_t i = 0; i < with.times.size(); ++i) EXPECT_EQ(with.times[i].time, without.times[i].time);
+    ASSERT_EQ(with.missed.size(), 3u);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_TRUE(std::isfinite(with.missed[i]));
+    bool warned = false;
+    for (const std::string& warning : with.warnings)
+      warned = warned || warning.find("bend has no finite value of the design in") == 0;
+    EXPECT_TRUE(warned);
+  }
+  // by itself it leaves the times evenly spread over the phases of the motion
+  options.measures = {2};
+  const Simulation alone = simulate(scene, options).simulation;
+  EXPECT_GT(alone.times.size(), 2u);
+  for (const SimulatedTime& time : alone.times) {
+    EXPECT_GE(time.time, 1.0);
+    EXPECT_LE(time.time, 2.0);
+  }
+  EXPECT_EQ(alone.statistics.statistics[0].infinite, 64u);
+}
+
+TEST(simulation, worse_than_what_is_not_a_number_is_anything) {
+  Measure gap = measure(Measure::Type::distance, "gap");
+  gap.lower = 1.0;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const double none = std::nan("");
+  EXPECT_TRUE(isWorse(gap, 0.0, 1.0, 2.0));
+  EXPECT_FALSE(isWorse(gap, 0.0, 2.0, 1.0));
+  EXPECT_TRUE(isWorse(gap, 0.0, 5.0, kInfinity));
+  EXPECT_FALSE(isWorse(gap, 0.0, kInfinity, kInfinity));
+  EXPECT_TRUE(isWorse(gap, 0.0, kInfinity, none));
+  EXPECT_FALSE(isWorse(gap, 0.0, none, kInfinity));
+  EXPECT_FALSE(isWorse(gap, 0.0, none, none));
 }
 
 TEST(simulation, can_be_ended_before_its_first_sample) {

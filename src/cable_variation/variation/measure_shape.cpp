@@ -36,7 +36,16 @@ MeasureValue bendRadiusValue(const MeasureContext& context, const Measure& measu
     };
   });
   const double curvature = tightest.value;
-  tightest.value = curvature > 0.0 ? 1.0 / curvature : std::numeric_limits<double>::infinity();
+  // What bends a straight cable by less than some billionths of its length is rounding, and its radius
+  // nothing.
+  constexpr double kStraight = 1e-7;
+  const double length = context.cables[tightest.cable].cable().length;
+  tightest.value = 1.0 / curvature;
+  if (!(curvature * length > kStraight)) {
+    tightest.value = std::numeric_limits<double>::infinity();
+    tightest.note = "straight everywhere";
+    tightest.unique = true;
+  }
   return tightest;
 }
 

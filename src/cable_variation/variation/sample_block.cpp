@@ -79,8 +79,7 @@ void BlockWorker::takeWorst(SampleBlock& block, std::size_t sample, std::size_t 
     const Measure& measure = scene_->measures[(*measures_)[m]];
     const double nominal = poses_->front()->linear().values[m].value;
     double& value = block.values(static_cast<Eigen::Index>(m), static_cast<Eigen::Index>(sample));
-    if (pose > 0 && !(badness(measure, nominal, solved.values[m]) > badness(measure, nominal, value)))
-      continue;
+    if (pose > 0 && !isWorse(measure, nominal, solved.values[m], value)) continue;
     value = solved.values[m];
     at_[sample % PoseWorker::kSamples][m] = pose;
   }

@@ -182,6 +182,8 @@ class Simulator {
                          options_.most_times, solver_, [&] { return watch_.goesOn(); });
       if (!worst.times.empty()) times = std::move(worst.times);
       result_.missed = std::move(worst.missed);
+      unknown_ = std::move(worst.unknown);
+      phases_ = worst.phases;
     }
     EquilibriumSolver solver = solver_;
     for (const double time : times) {
@@ -273,7 +275,7 @@ class Simulator {
       double nominal = first;
       for (const auto& pose : poses_) {
         const double value = pose->linear().values[i].value;
-        if (badness(measure, first, value) > badness(measure, first, nominal)) nominal = value;
+        if (isWorse(measure, first, value, nominal)) nominal = value;
       }
       statistics.nominal.push_back(nominal);
     }
@@ -321,11 +323,17 @@ class Simulator {
     result_.warnings.insert(result_.warnings.end(), result_.linear.warnings.begin(),
                             result_.linear.warnings.end());
     for (std::size_t i = 0; i < result_.missed.size(); ++i) {
-      const double sigma = result_.statistics.statistics[i].sigma;
-      if (!(result_.missed[i] > kMissed * sigma)) continue;
+      const double sigma = result_.statistics.statistics[i].sigma;  // not a number: no two finite values
+      if (!(result_.missed[i] > (std::isnan(sigma) ? 0.0 : kMissed * sigma))) continue;
       const Measure& measure = scene_.measures[options_.measures[i]];
       warn(measure.name, " may be up to ", result_.missed[i], " ", measure.unit,
            " worse at other times of the motion than at the ", poses_.size(), " looked at");
+    }
+    for (std::size_t i = 0; i < unknown_.size(); ++i) {
+      if (unknown_[i] == 0) continue;
+      warn(scene_.measures[options_.measures[i]].name, " has no finite value of the design in ", unknown_[i],
+           " of the ", phases_,
+           " phases of the motion: times at which samples are worst there may not be among those looked at");
     }
   }
 
@@ -344,6 +352,8 @@ class Simulator {
   const SampleReceiver& receiver_;
   Watch watch_;
   BlockWorker::Poses poses_;
+  std::vector<std::size_t> unknown_;  // see WorstTimes, as is the next
+  std::size_t phases_ = 0;
   std::unique_ptr<SampleFigures> figures_;
   std::unique_ptr<const SampleFigures> empty_;
   Simulation result_;

@@ -18,7 +18,7 @@
 namespace cable_variation {
 
 struct SimulationOptions : VariedDesign {
-  std::vector<std::size_t> measures;  ///< indices; may be empty: only the variation along the cables
+  std::vector<std::size_t> measures;  ///< indices, each once; empty: all of the scene
 
   SamplerType sampler = SamplerType::monte_carlo;
   std::uint64_t seed = 1;

@@ -84,24 +84,24 @@ class Search {
   WorstTimes choose(std::size_t most) {
     WorstTimes result;
     result.phases = models_.size();
-    if (measures_.empty()) {
+    countUnknown(result);
+    result.missed.assign(measures_.size(), 0.0);
+    findWorst();
+    if (!(worst_.array() > kNone).any()) {
       for (std::size_t i = 0; i < std::min(most, models_.size()); ++i)
         result.times.push_back(models_[i * models_.size() / std::min(most, models_.size())].phase.reference);
       return result;
     }
-    findWorst();
-    Eigen::MatrixXd reached =
-        Eigen::MatrixXd::Constant(worst_.rows(), worst_.cols(), -std::numeric_limits<double>::infinity());
+    Eigen::MatrixXd reached = Eigen::MatrixXd::Constant(worst_.rows(), worst_.cols(), kNone);
     for (Where next = mostOften(); result.times.size() < most;) {
       result.times.push_back(next.time);
       reached = reached.cwiseMax(badnessAt(next));
       Eigen::Index row = 0, column = 0;
-      const Eigen::MatrixXd missed = scale_.cwiseInverse().asDiagonal() * (worst_ - reached);
-      if (!(missed.maxCoeff(&row, &column) > kNegligible)) break;
+      if (!(inSpreads(missedBy(reached)).maxCoeff(&row, &column) > kNegligible)) break;
       next = worst_at_[static_cast<std::size_t>(row + column * worst_.rows())];
     }
     std::sort(result.times.begin(), result.times.end());
-    const Eigen::VectorXd missed = (worst_ - reached).rowwise().maxCoeff();
+    const Eigen::VectorXd missed = missedBy(reached).rowwise().maxCoeff();
     result.missed.assign(missed.data(), missed.data() + missed.size());
     return result;
   }
@@ -112,9 +112,37 @@ class Search {
     double time = 0.0;
   };
 
+  // As good as can be, or not known: no time has a say by it.
+  static constexpr double kNone = -std::numeric_limits<double>::infinity();
+
+  void countUnknown(WorstTimes& result) const {
+    result.unknown.assign(measures_.size(), 0);
+    for (const PhaseModel& model : models_) {
+      for (std::size_t i = 0; i < measures_.size(); ++i) {
+        const auto row = static_cast<Eigen::Index>(i);
+        if (!std::isfinite(model.values[row]) || !model.jacobian.row(row).allFinite()) ++result.unknown[i];
+      }
+    }
+  }
+
+  // Infinities of the same sign miss nothing.
+  Eigen::MatrixXd missedBy(const Eigen::MatrixXd& reached) const {
+    return worst_.binaryExpr(
+        reached, [](double worst, double so_far) { return worst > so_far ? worst - so_far : 0.0; });
+  }
+
+  // Of a measure that does not vary only an infinity counts.
+  Eigen::MatrixXd inSpreads(Eigen::MatrixXd missed) const {
+    for (Eigen::Index i = 0; i < missed.rows(); ++i) {
+      missed.row(i) =
+          missed.row(i).unaryExpr([&](double by) { return std::isinf(by) ? by : by / scale_[i]; });
+    }
+    return missed;
+  }
+
   void findWorst() {
     const auto rows = static_cast<Eigen::Index>(measures_.size());
-    worst_.setConstant(rows, trials_.cols(), -std::numeric_limits<double>::infinity());
+    worst_.setConstant(rows, trials_.cols(), kNone);
     worst_at_.resize(static_cast<std::size_t>(worst_.size()));
     for (std::size_t m = 0; m < models_.size(); ++m) {
       for (const double time : models_[m].phase.times) {
@@ -128,11 +156,21 @@ class Search {
     }
     scale_.resize(rows);
     for (Eigen::Index i = 0; i < rows; ++i) {
-      const double mean = worst_.row(i).mean();
-      const double spread =
-          std::sqrt((worst_.row(i).array() - mean).square().sum() / static_cast<double>(worst_.cols()));
+      const double spread = spreadOf(worst_.row(i));
       scale_[i] = spread > 0.0 ? spread : std::numeric_limits<double>::infinity();
     }
+  }
+
+  // Standard deviation of those that are finite.
+  static double spreadOf(const Eigen::RowVectorXd& values) {
+    double count = 0.0, mean = 0.0, squares = 0.0;
+    for (const double value : values) {
+      if (!std::isfinite(value)) continue;
+      const double step = value - mean;
+      mean += step / ++count;
+      squares += step * (value - mean);
+    }
+    return count > 0.0 ? std::sqrt(squares / count) : 0.0;
   }
 
   // Badness of every trial and measure: rows measures, columns trials.
@@ -147,19 +185,25 @@ class Search {
       // to the design at the same time, and growing whichever way a variable goes
       if (measure.type == Measure::Type::similarity)
         bad.row(i) = model.jacobian.row(i).head(variables).cwiseAbs() * trials_.cwiseAbs();
-      for (Eigen::Index j = 0; j < bad.cols(); ++j) bad(i, j) = badness(measure, nominal_[i], bad(i, j));
+      for (Eigen::Index j = 0; j < bad.cols(); ++j) {
+        const double known = badness(measure, nominal_[i], bad(i, j));
+        bad(i, j) = std::isnan(known) ? kNone : known;
+      }
     }
     return bad;
   }
 
-  // The time that is the worst for most.
+  // The time that is the worst for most; what has no worst time does not vote.
   Where mostOften() const {
     std::map<double, std::size_t> votes;
-    for (const Where& where : worst_at_) ++votes[where.time];
+    for (std::size_t k = 0; k < worst_at_.size(); ++k) {
+      if (worst_(static_cast<Eigen::Index>(k)) > kNone) ++votes[worst_at_[k].time];
+    }
     const auto chosen = std::max_element(votes.begin(), votes.end(),
                                          [](const auto& a, const auto& b) { return a.second < b.second; });
-    return *std::find_if(worst_at_.begin(), worst_at_.end(),
-                         [&](const Where& where) { return where.time == chosen->first; });
+    std::size_t k = 0;
+    while (!(worst_(static_cast<Eigen::Index>(k)) > kNone && worst_at_[k].time == chosen->first)) ++k;
+    return worst_at_[k];
   }
 
   const SampleSpace& space_;
@@ -192,6 +236,11 @@ double badness(const Measure& measure, double nominal, double value) {
     default:
       return std::abs(value);
   }
+}
+
+bool isWorse(const Measure& measure, double nominal, double value, double than) {
+  const double bad = badness(measure, nominal, value);
+  return bad > badness(measure, nominal, than) || (std::isnan(than) && !std::isnan(value));
 }
 
 WorstTimes findWorstTimes(const SampleSpace& space, const std::vector<std::size_t>& measures,
