@@ -11,6 +11,7 @@
 #include <ros_interface/component_variation_markers.h>
 #include <ros_interface/design_values.h>
 #include <ros_interface/name_lookup.h>
+#include <ros_interface/name_registry.h>
 #include <ros_interface/names.h>
 #include <ros_interface/request_status.h>
 #include <ros_interface/sensitivity_markers.h>
@@ -57,17 +58,22 @@ std::vector<ComponentVariation> variationsOf(const Scene& scene, const Stability
 }  // namespace
 
 AnalyzeStabilityService::AnalyzeStabilityService(ros::NodeHandle& node, const SolverContext& context,
-                                                 VariationPublisher& publisher, const OutputDirectory& output)
+                                                 VariationPublisher& publisher, const OutputDirectory& output,
+                                                 NameRegistry& names)
     : context_(context),
       publisher_(publisher),
       output_(output),
+      names_(names),
       server_(node.advertiseService(kAnalyzeStabilityService, &AnalyzeStabilityService::handle, this)) {}
 
 bool AnalyzeStabilityService::handle(Request& request, Response& response) {
   Response answer;
   const Status status = runRequest([&] { answer = analyse(request); });
-  if (status.code == Status::SUCCESS) response = std::move(answer);
-  response.status = status;
+  if (status.code == Status::SUCCESS) {
+    response = std::move(answer);
+  } else {
+    response.status = status;
+  }
   return true;
 }
 
@@ -87,6 +93,7 @@ void AnalyzeStabilityService::follow(const std::string& variable) {
 
 AnalyzeStabilityService::Response AnalyzeStabilityService::analyse(const Request& request) {
   if (!request.report.empty()) OutputDirectory::checkName(request.report);
+  const NameRegistry::Hold hold(names_, "report", request.report, kAnalyzeStabilityService);
   const cable_variation::Design& design = context_.design();
   const Scene& scene = design.scene;
   StabilityOptions options;
@@ -103,15 +110,7 @@ AnalyzeStabilityService::Response AnalyzeStabilityService::analyse(const Request
   const ComponentPoses poses = componentPosesAt(scene, options.values, options.moved);
   const std::vector<ComponentVariation> components = variationsOf(scene, options);
   Response response = toResponse(scene, options.values, analysis, components, poses);
-  if (!request.report.empty()) {
-    response.csv_file = output_.fileFor(request.report, ".csv");
-    response.report_file = output_.fileFor(request.report, ".html");
-    cable_variation::writeFile(response.csv_file, stabilityCsv(scene, analysis, options.values));
-    cable_variation::writeFile(
-        response.report_file,
-        cable_variation::reportPage("Stability analysis", {scene.source, utcNow()},
-                                    {stabilitySection(scene, analysis, options.values)}));
-  }
+  if (!request.report.empty()) writeReport(request.report, scene, analysis, options.values, response);
 
   if (request.show_components) {
     const ComponentVariationView view = componentVariationMarkers(
@@ -130,6 +129,30 @@ AnalyzeStabilityService::Response AnalyzeStabilityService::analyse(const Request
     publisher_.clear();
   }
   return response;
+}
+
+void AnalyzeStabilityService::writeReport(const std::string& name, const Scene& scene,
+                                          const StabilityAnalysis& analysis,
+                                          const cable_variation::DesignValues& values,
+                                          Response& response) const {
+  const auto write = [&](const char* extension, const std::string& contents) -> std::string {
+    const std::string path = output_.pathOf(name, extension);
+    try {
+      output_.make();
+      cable_variation::writeFile(path, contents);
+      return path;
+    } catch (const std::exception& problem) {
+      response.status.code = Status::IO_ERROR;
+      std::string& message = response.status.message;
+      if (message.find(problem.what()) == std::string::npos)  // a folder that is not there is told once
+        message += (message.empty() ? "" : "; ") + std::string(problem.what());
+      return "";
+    }
+  };
+  response.csv_file = write(".csv", stabilityCsv(scene, analysis, values));
+  response.report_file =
+      write(".html", cable_variation::reportPage("Stability analysis", {scene.source, utcNow()},
+                                                 {stabilitySection(scene, analysis, values)}));
 }
 
 }  // namespace cable_variation_ros

@@ -18,12 +18,12 @@ CableSolver::CableSolver(ros::NodeHandle node, const CableSolverParameters& para
       envelope_(node_, interference_),
       diagnostics_(node_, context_),
       solve_equilibrium_(node_, context_),
-      analyze_stability_(node_, context_, variation_, OutputDirectory(parameters.output_directory)),
+      analyze_stability_(node_, context_, variation_, OutputDirectory(parameters.output_directory), names_),
       get_scene_(node_, context_),
       load_scene_(node_, context_),
       design_(node_, context_),
       check_forbidden_region_(node_, context_, interference_, OutputDirectory(parameters.output_directory)),
-      envelope_runner_(context_, envelope_, spinning_, OutputDirectory(parameters.output_directory),
+      envelope_runner_(context_, envelope_, spinning_, OutputDirectory(parameters.output_directory), names_,
                        parameters.threads, parameters.memory_limit),
       generate_envelope_(node_, kGenerateEnvelopeService,
                          [this](const cable_variation::GenerateEnvelopeRequest& request) {
@@ -31,7 +31,7 @@ CableSolver::CableSolver(ros::NodeHandle node, const CableSolverParameters& para
                          }),
       generate_envelope_action_(node_, envelope_runner_),
       simulation_runner_(context_, variation_, spinning_, OutputDirectory(parameters.output_directory),
-                         parameters.threads, parameters.memory_limit),
+                         names_, parameters.threads, parameters.memory_limit),
       simulate_variation_(node_, kSimulateVariationService,
                           [this](const cable_variation::SimulateVariationRequest& request) {
                             return simulation_runner_.run(

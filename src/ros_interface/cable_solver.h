@@ -13,6 +13,7 @@
 #include <ros_interface/get_scene_service.h>
 #include <ros_interface/interference_publisher.h>
 #include <ros_interface/load_scene_service.h>
+#include <ros_interface/name_registry.h>
 #include <ros_interface/node_parameters.h>
 #include <ros_interface/own_thread_service.h>
 #include <ros_interface/simulate_variation_action.h>
@@ -42,6 +43,7 @@ class CableSolver {
   ros::NodeHandle node_;
   SolverContext context_;
   SpinningThread spinning_;
+  NameRegistry names_;
   InterferencePublisher interference_;
   SolverPublisher publisher_;
   VariationPublisher variation_;

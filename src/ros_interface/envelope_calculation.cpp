@@ -210,7 +210,9 @@ EnvelopeOutcome calculateEnvelope(const EnvelopeTask& task, const SolverContext:
   }
   constexpr double kWorthTelling = 1e-5;  // [m]
   control.report({"files", kSurfaceShare, solves, 0.0});
-  const EnvelopeFiles files = envelopeFiles(output, task.name, scene, envelope, surface);
+  EnvelopeFiles files = envelopeFiles(output, task.name, scene, envelope, surface);
+  control.complete();
+  write(files, output);
   response.mesh_file = files.mesh;
   response.urdf_file = files.urdf;
   response.region_file = files.region;
@@ -219,8 +221,10 @@ EnvelopeOutcome calculateEnvelope(const EnvelopeTask& task, const SolverContext:
                                 cable_variation::shortNumber(files.rounding) +
                                 " m, so far from the origin; the .obj has them all");
   }
-  control.complete();
-  write(files, output);
+  if (!files.error.empty()) {
+    response.status.code = Status::IO_ERROR;
+    response.status.message = files.error;
+  }
   return outcome;
 }
 

@@ -11,13 +11,14 @@
 namespace cable_variation_ros {
 
 struct EnvelopeOutcome {
-  cable_variation::GenerateEnvelopeResponse response;  ///< all but the status
+  cable_variation::GenerateEnvelopeResponse response;  ///< IO_ERROR with the rest: a file
   EnvelopeView view;
 };
 
 /// An envelope with its clearances, its surface, its files and what is to be seen of it. Touches nothing but
-/// the files, which are written last. Throws RequestError without an equilibrium, cable_variation::Cancelled
-/// when `control` says so, std::invalid_argument for what the core refuses, std::runtime_error for a file.
+/// the files, which are written last: what cannot be written is told in the status, and costs nothing else.
+/// Throws RequestError without an equilibrium, cable_variation::Cancelled when `control` says so,
+/// std::invalid_argument for what the core refuses.
 EnvelopeOutcome calculateEnvelope(const EnvelopeTask& task, const SolverContext::Snapshot& snapshot,
                                   const OutputDirectory& output, RunControl& control);
 

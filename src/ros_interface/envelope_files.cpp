@@ -22,17 +22,33 @@ EnvelopeFiles envelopeFiles(const OutputDirectory& output, const std::string& na
   options.name = name;
   options.folder = cable_variation::fileUrl(folder.string());
   const cable_variation::EnvelopeUrdf urdf = envelopeUrdf(envelope.frames.front(), surface.mesh, options);
-  files.contents = {{files.mesh, cable_variation::binaryStl(surface.mesh, "tolerance envelope " + name)},
-                    {files.region, regionText(forbiddenRegion(scene, envelope))}};
-  for (const auto& mesh : urdf.meshes) files.contents.emplace_back(folder / mesh.name, mesh.contents);
+  files.mesh_contents = {
+      {files.mesh, cable_variation::binaryStl(surface.mesh, "tolerance envelope " + name)}};
+  files.region_contents = {{files.region, regionText(forbiddenRegion(scene, envelope))}};
+  for (const auto& mesh : urdf.meshes) files.urdf_contents.emplace_back(folder / mesh.name, mesh.contents);
   files.rounding = cable_variation::stlRounding(surface.mesh);
-  files.contents.emplace_back(files.urdf, urdf.text);  // last: who finds it finds the meshes it names
+  files.urdf_contents.emplace_back(files.urdf, urdf.text);  // last: who finds it finds the meshes it names
   return files;
 }
 
-void write(const EnvelopeFiles& files, const OutputDirectory& output) {
-  output.make();
-  for (const auto& [path, contents] : files.contents) cable_variation::writeFile(path, contents);
+void write(EnvelopeFiles& files, const OutputDirectory& output) {
+  const auto writeAll = [&](const EnvelopeFiles::Contents& all, std::string& path) {
+    try {
+      output.make();
+      std::vector<cable_variation::StagedFile> staged;
+      staged.reserve(all.size());
+      for (const auto& [name, contents] : all) staged.emplace_back(name, contents);
+      cable_variation::StagedFile::commit(staged);
+    } catch (const std::exception& problem) {
+      path.clear();
+      // a folder that is not there is told once
+      if (files.error.find(problem.what()) != std::string::npos) return;
+      files.error += (files.error.empty() ? "" : "; ") + std::string(problem.what());
+    }
+  };
+  writeAll(files.mesh_contents, files.mesh);
+  writeAll(files.region_contents, files.region);
+  writeAll(files.urdf_contents, files.urdf);
 }
 
 }  // namespace cable_variation_ros

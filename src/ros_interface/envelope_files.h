@@ -10,13 +10,17 @@
 
 namespace cable_variation_ros {
 
-/// An envelope's files, not written yet.
+/// An envelope's files.
 struct EnvelopeFiles {
-  std::string mesh;       ///< path of NAME.stl: the outer surface, binary
-  std::string urdf;       ///< of NAME.urdf: convex pieces to collide with, NAME_*.stl
-  std::string region;     ///< of NAME.obj: the pieces themselves, see CheckForbiddenRegion
+  // Paths; empty: it could not be written.
+  std::string mesh;       ///< NAME.stl: the outer surface, binary
+  std::string urdf;       ///< NAME.urdf: convex pieces to collide with, NAME_*.stl
+  std::string region;     ///< NAME.obj: the pieces themselves, see CheckForbiddenRegion
   double rounding = 0.0;  ///< of the coordinates in the STL files [m]
-  std::vector<std::pair<std::string, std::string>> contents;  ///< path and contents, in order
+
+  using Contents = std::vector<std::pair<std::string, std::string>>;  ///< path and contents
+  Contents mesh_contents, urdf_contents, region_contents;             ///< in the order to write them
+  std::string error;  ///< what went wrong in writing, and with which file; empty: nothing
 };
 
 /// Throws as OutputDirectory::pathOf().
@@ -24,8 +28,8 @@ EnvelopeFiles envelopeFiles(const OutputDirectory& output, const std::string& na
                             const cable_variation::Scene& scene, const cable_variation::Envelope& envelope,
                             const cable_variation::OuterSurface& surface);
 
-/// Writes them, each complete or not at all, in place of older ones. Throws as OutputDirectory::make() and
-/// cable_variation::writeFile().
-void write(const EnvelopeFiles& files, const OutputDirectory& output);
+/// Writes them, in place of older ones: each complete or not at all, the URDF together with the pieces it
+/// names. What cannot be written loses its path, and `error` tells of it; the others are written.
+void write(EnvelopeFiles& files, const OutputDirectory& output);
 
 }  // namespace cable_variation_ros

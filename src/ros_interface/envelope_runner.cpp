@@ -1,6 +1,8 @@
 #include <ros_interface/envelope_runner.h>
 
 #include <ros_interface/envelope_calculation.h>
+#include <ros_interface/name_registry.h>
+#include <ros_interface/names.h>
 #include <ros_interface/request_status.h>
 #include <ros_interface/spinning_thread.h>
 
@@ -17,18 +19,20 @@ constexpr std::chrono::milliseconds kLook(20);
 }  // namespace
 
 EnvelopeRunner::EnvelopeRunner(SolverContext& context, EnvelopePublisher& publisher, SpinningThread& spinning,
-                               const OutputDirectory& output, std::size_t threads, double memory_limit)
+                               const OutputDirectory& output, NameRegistry& names, std::size_t threads,
+                               double memory_limit)
     : context_(context),
       publisher_(publisher),
       spinning_(spinning),
       output_(output),
+      names_(names),
       threads_(threads),
       memory_limit_(memory_limit) {}
 
 GenerateEnvelopeResponse EnvelopeRunner::run(const GenerateEnvelopeRequest& request, const Watcher& watcher) {
   GenerateEnvelopeResponse response;
   const Status status = runRequest([&] { response = complete(request, watcher); });
-  response.status = status;
+  if (status.code != Status::SUCCESS) response.status = status;
   return response;
 }
 
@@ -40,6 +44,8 @@ GenerateEnvelopeResponse EnvelopeRunner::complete(const GenerateEnvelopeRequest&
     task = toEnvelopeTask(request, context_.design(), context_.moved(), threads_, memory_limit_);
     snapshot = std::make_shared<SolverContext::Snapshot>(context_.snapshot());
   });
+
+  const NameRegistry::Hold hold(names_, "name", task.name, kGenerateEnvelopeService);
 
   // What the run uses is shared with it: cancelled, it outlives this call.
   const auto outcome = std::make_shared<EnvelopeOutcome>();

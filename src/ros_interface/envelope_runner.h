@@ -13,6 +13,7 @@
 namespace cable_variation_ros {
 
 class EnvelopePublisher;
+class NameRegistry;
 class SolverContext;
 class SpinningThread;
 
@@ -21,12 +22,14 @@ class EnvelopeRunner {
  public:
   /// @param threads for each run; 0: as many as there are cores @param memory_limit for each run [B]
   EnvelopeRunner(SolverContext& context, EnvelopePublisher& publisher, SpinningThread& spinning,
-                 const OutputDirectory& output, std::size_t threads, double memory_limit);
+                 const OutputDirectory& output, NameRegistry& names, std::size_t threads,
+                 double memory_limit);
 
   /// Told how far a run is, now and then; false: cancel it.
   using Watcher = std::function<bool(const RunProgress&)>;
 
-  /// Not from the spinning thread. The answer's status tells how it ended; unless that is SUCCESS there is
+  /// Not from the spinning thread. The answer's status tells how it ended; IO_ERROR comes with all of the
+  /// answer but the paths of the files that could not be written. Unless it is that or SUCCESS there is
   /// nothing else, no file and nothing new to be seen. Returns within some 20 ms of being cancelled.
   cable_variation::GenerateEnvelopeResponse run(const cable_variation::GenerateEnvelopeRequest& request,
                                                 const Watcher& watcher);
@@ -40,6 +43,7 @@ class EnvelopeRunner {
   EnvelopePublisher& publisher_;
   SpinningThread& spinning_;
   OutputDirectory output_;
+  NameRegistry& names_;
   std::size_t threads_;
   double memory_limit_;
   std::mutex mutex_;

@@ -1,8 +1,11 @@
 #include <ros_interface/simulation_runner.h>
 
+#include <mutex>
 #include <optional>
 
 #include <ros_interface/background_run.h>
+#include <ros_interface/name_registry.h>
+#include <ros_interface/names.h>
 #include <ros_interface/request_status.h>
 #include <ros_interface/simulation_calculation.h>
 #include <ros_interface/spinning_thread.h>
@@ -30,38 +33,16 @@ struct Shared {
   SimulationProgress progress;
 };
 
-/// Keeps others from writing the files of a name.
-class NameInUse {
- public:
-  NameInUse(const std::string& name, std::set<std::string>& all, std::mutex& mutex)
-      : name_(name), all_(all), mutex_(mutex) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (!name_.empty() && !all_.insert(name_).second) {
-      throw std::invalid_argument("name: '" + name_ + "' is what another simulation is writing now");
-    }
-  }
-  ~NameInUse() {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    all_.erase(name_);
-  }
-  NameInUse(const NameInUse&) = delete;
-  NameInUse& operator=(const NameInUse&) = delete;
-
- private:
-  const std::string& name_;
-  std::set<std::string>& all_;
-  std::mutex& mutex_;
-};
-
 }  // namespace
 
 SimulationRunner::SimulationRunner(SolverContext& context, VariationPublisher& publisher,
                                    SpinningThread& spinning, const OutputDirectory& output,
-                                   std::size_t threads, double memory_limit)
+                                   NameRegistry& names, std::size_t threads, double memory_limit)
     : context_(context),
       publisher_(publisher),
       spinning_(spinning),
       output_(output),
+      names_(names),
       threads_(threads),
       memory_limit_(memory_limit) {}
 
@@ -88,7 +69,7 @@ SimulateVariationResponse SimulationRunner::complete(const SimulateVariationRequ
   for (const std::size_t index : shared.task.options.measures) {
     measures.push_back(shared.snapshot.design.scene.measures[index].name);
   }
-  const NameInUse name(shared.task.name, writing_, mutex_);
+  const NameRegistry::Hold hold(names_, "name", shared.task.name, kSimulateVariationService);
 
   BackgroundRun background([&](RunControl& control) {
     const auto observe = [&](const SimulationProgress& progress) {

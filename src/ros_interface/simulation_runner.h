@@ -1,8 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <mutex>
-#include <set>
 #include <string>
 
 #include <cable_variation/SimulateVariation.h>
@@ -12,6 +10,7 @@
 
 namespace cable_variation_ros {
 
+class NameRegistry;
 class SolverContext;
 class SpinningThread;
 class VariationPublisher;
@@ -21,7 +20,8 @@ class SimulationRunner {
  public:
   /// @param threads for each run; 0: as many as there are cores @param memory_limit for each run [B]
   SimulationRunner(SolverContext& context, VariationPublisher& publisher, SpinningThread& spinning,
-                   const OutputDirectory& output, std::size_t threads, double memory_limit);
+                   const OutputDirectory& output, NameRegistry& names, std::size_t threads,
+                   double memory_limit);
 
   /// Told how far a run is, now and then, with the names of the measures; false: cancel it.
   using Watcher =
@@ -39,10 +39,9 @@ class SimulationRunner {
   VariationPublisher& publisher_;
   SpinningThread& spinning_;
   OutputDirectory output_;
+  NameRegistry& names_;
   std::size_t threads_;
   double memory_limit_;
-  std::mutex mutex_;
-  std::set<std::string> writing_;  ///< names of files that runs are writing now
 };
 
 }  // namespace cable_variation_ros

@@ -106,6 +106,29 @@ TEST_F(SampleCsvTest, AFolderThatIsNotThereIsAnError) {
   }
 }
 
+TEST_F(SampleCsvTest, ARunKeepsItsFileWhileItWrites) {
+  const double zero = 0.0;
+  SampleCsv first = csv();
+  first.add(0, SampleOutcome::solved, &zero, &zero);
+  // a lock is of the open file: another run of this process is kept out as one of another process is
+  try {
+    csv();
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("another run writes it now"), std::string::npos) << error.what();
+  }
+  first.add(1, SampleOutcome::solved, &zero, &zero);
+  first.finish();
+  const std::string complete = contentsOf(path_);
+  EXPECT_NE(complete.find("\r\n1,solved,"), std::string::npos) << complete;
+  SampleCsv next = csv();  // what an earlier run left is replaced, the complete file stays until then
+  next.stop();
+  EXPECT_EQ(contentsOf(path_), complete);
+  SampleCsv last = csv();
+  last.finish();
+  EXPECT_EQ(contentsOf(path_).find("solved"), std::string::npos);
+}
+
 // Files of this process may grow to 64 kB for a while: as a full disk, but for the system's words.
 TEST_F(SampleCsvTest, ADiskThatFillsIsAnError) {
   rlimit usual;

@@ -15,7 +15,8 @@ import rospy
 import rostest
 from actionlib_msgs.msg import GoalStatus
 from cable_variation.msg import EnvelopeMesh, GenerateEnvelopeAction, GenerateEnvelopeGoal, Status
-from cable_variation.srv import CheckForbiddenRegion, GenerateEnvelope, LoadScene, SetDesign, SolveEquilibrium
+from cable_variation.srv import (AnalyzeStability, CheckForbiddenRegion, GenerateEnvelope, LoadScene, SetDesign,
+                                 SimulateVariation, SolveEquilibrium)
 from node_client import NodeTest, xyz
 from std_srvs.srv import Trigger
 from visualization_msgs.msg import Marker, MarkerArray
@@ -321,13 +322,53 @@ class GenerateEnvelopeTest(NodeTest):
             process.wait(self.TIMEOUT)
             self.assertEqual(os.listdir(folder), [])
 
-    def test_a_folder_that_cannot_be_written_is_named(self):
+    def test_a_file_that_cannot_be_written_costs_nothing_else(self):
         with tempfile.NamedTemporaryFile() as file:
             folder = os.path.join(file.name, 'below')
             self.writer(folder)
             answer = self.service('/writer/generate_envelope', GenerateEnvelope)(variables=['b_z'], name='run_1')
             self.assertRefused(answer.status, Status.IO_ERROR, folder)
-            self.assertEqual(answer.mesh.triangles, [])
+            self.assertEqual(answer.status.message.count(folder), 1)
+            self.assertGreater(len(answer.mesh.triangles), 100)
+            self.assertGreater(answer.pieces, 0)
+            self.assertGreater(len(answer.clearances), 0)
+            self.assertEqual((answer.mesh_file, answer.urdf_file, answer.region_file), ('', '', ''))
+
+    def test_of_several_files_those_that_can_be_are_written(self):
+        with tempfile.TemporaryDirectory() as folder:
+            os.mkdir(os.path.join(folder, 'run_1.stl'))  # in the way of one of them
+            self.writer(folder)
+            answer = self.service('/writer/generate_envelope', GenerateEnvelope)(variables=['b_z'], name='run_1')
+            self.assertRefused(answer.status, Status.IO_ERROR, os.path.join(folder, 'run_1.stl'))
+            self.assertEqual(answer.mesh_file, '')
+            self.assertTrue(os.path.isfile(answer.urdf_file) and os.path.isfile(answer.region_file))
+            self.assertFalse([name for name in os.listdir(folder) if name.endswith('.part')])
+            # The URDF goes with the pieces it names: without one of them the older ones stay as they were.
+            with open(answer.urdf_file) as file:
+                older = file.read()
+            piece = sorted(name for name in os.listdir(folder) if name.startswith('run_1_'))[0]
+            os.remove(os.path.join(folder, piece))
+            os.mkdir(os.path.join(folder, piece))
+            answer = self.service('/writer/generate_envelope', GenerateEnvelope)(variables=['a_ry'], name='run_1')
+            self.assertRefused(answer.status, Status.IO_ERROR, piece)
+            self.assertEqual(answer.urdf_file, '')
+            with open(os.path.join(folder, 'run_1.urdf')) as file:
+                self.assertEqual(file.read(), older)
+
+    def test_a_name_is_written_by_one_run_at_a_time(self):
+        with tempfile.TemporaryDirectory() as folder:
+            self.writer(folder)
+            client = self.client('/writer')
+            self.begin(client, name='run_1', **ENDLESS)
+            for answer in (self.service('/writer/generate_envelope', GenerateEnvelope)(variables=['b_z'], name='run_1'),
+                           self.service('/writer/simulate_variation', SimulateVariation)(variables=['b_z'],
+                                                                                        name='run_1'),
+                           self.service('/writer/analyze_stability', AnalyzeStability)(report='run_1')):
+                self.assertRefused(answer.status, Status.INVALID_ARGUMENT, "'run_1'", '~generate_envelope')
+            self.assertSuccess(self.service('/writer/analyze_stability', AnalyzeStability)(report='run_2').status)
+            client.cancel_goal()
+            self.assertTrue(self.finished(client))
+            self.assertSuccess(self.service('/writer/analyze_stability', AnalyzeStability)(report='run_1').status)
 
 
 if __name__ == '__main__':

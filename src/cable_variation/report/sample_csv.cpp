@@ -5,6 +5,9 @@
 #include <limits>
 #include <stdexcept>
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cable_variation/report/csv.h>
@@ -12,12 +15,44 @@
 
 namespace cable_variation {
 
+namespace {
+
+// Opens a file for this run alone, empty: a run of another process that writes it keeps it. -1: errno says.
+int openAlone(const std::string& path) {
+  constexpr mode_t kAll = 0666;  // less what the process's mask takes away
+  for (;;) {
+    const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, kAll);
+    if (file < 0) return -1;
+    struct stat opened = {}, named = {};
+    const bool alone = ::flock(file, LOCK_EX | LOCK_NB) == 0 && ::fstat(file, &opened) == 0;
+    // Another run may have given it its name between opening and locking: then it is that one's.
+    const bool ours = alone && ::stat(path.c_str(), &named) == 0 && opened.st_dev == named.st_dev &&
+                      opened.st_ino == named.st_ino;
+    if (ours && (!S_ISREG(opened.st_mode) || ::ftruncate(file, 0) == 0)) return file;
+    const int error = errno;
+    ::close(file);
+    errno = error;
+    if (!alone || ours) return -1;
+  }
+}
+
+}  // namespace
+
 SampleCsv::SampleCsv(const std::string& path, const Scene& scene, const std::vector<std::size_t>& variables,
                      const std::vector<std::size_t>& measures, const DesignValues& values)
     : path_(path), partial_(path + ".partial"), measures_(measures.size()) {
   errno = 0;
-  file_.reset(std::fopen(partial_.c_str(), "wb"));
-  if (!file_) fail(errno);
+  const int opened = openAlone(partial_);
+  if (opened < 0 && errno == EWOULDBLOCK) {
+    throw std::runtime_error("file '" + partial_ + "' cannot be written: another run writes it now");
+  }
+  if (opened < 0) fail(errno);
+  file_.reset(::fdopen(opened, "wb"));
+  if (!file_) {
+    const int error = errno;
+    ::close(opened);
+    fail(error);
+  }
   std::string heading = "sample,outcome";
   for (const std::size_t variable : variables) {
     const DesignVariable& described = scene.design_variables[variable];
@@ -45,8 +80,9 @@ void SampleCsv::finish() {
   requireOpen();
   errno = 0;
   if (std::fflush(file_.get()) != 0 || ::fsync(::fileno(file_.get())) != 0) fail(errno);
-  stop();
+  // while it is still ours alone
   if (std::rename(partial_.c_str(), path_.c_str()) != 0) fail(errno);
+  stop();
 }
 
 void SampleCsv::stop() {

@@ -17,7 +17,8 @@ namespace cable_variation {
 class SampleCsv {
  public:
   /// @param values of the design simulated, as StabilityOptions::values; variables are written with them, not
-  /// as deviations. Throws std::runtime_error that names the file and what the system says.
+  /// as deviations. Throws std::runtime_error that names the file and what the system says, or that another
+  /// run, of this process or not, writes it now.
   SampleCsv(const std::string& path, const Scene& scene, const std::vector<std::size_t>& variables,
             const std::vector<std::size_t>& measures, const DesignValues& values);
 
