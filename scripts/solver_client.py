@@ -21,7 +21,9 @@ def people(unit):
 
 
 def number(value, unit, digits=4, sign=False):
-    """A value in SI as a number in the unit that people use, without the unit."""
+    """A value in SI as a number in the unit that people use, without the unit; a dash: it is not defined."""
+    if math.isnan(value):
+        return '-'
     return ('%+.*g' if sign else '%.*g') % (digits, value / people(unit)[1])
 
 
@@ -63,15 +65,15 @@ def start(name, disable_signals=False):
     rospy.init_node(name, anonymous=True, disable_signals=disable_signals, log_level=rospy.FATAL)
 
 
-def call(node, service, kind, **request):
-    """The answer of a service; SystemExit with its message unless it succeeded."""
+def call(node, service, kind, accepted=(Status.SUCCESS,), **request):
+    """The answer of a service; SystemExit with its message unless its status is one that is accepted."""
     name = rospy.resolve_name('%s/%s' % (node, service))
     try:
         rospy.wait_for_service(name, timeout=30)
         answer = rospy.ServiceProxy(name, kind)(**request)
     except (rospy.ROSException, rospy.ServiceException) as error:
         sys.exit('%s: %s' % (name, error))
-    if answer.status.code != Status.SUCCESS:
+    if answer.status.code not in accepted:
         for warning in getattr(answer, 'warnings', []):
             print('warning: ' + warning, file=sys.stderr)
         sys.exit('%s: status %d: %s' % (name, answer.status.code, answer.status.message))

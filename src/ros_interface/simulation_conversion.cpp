@@ -104,6 +104,15 @@ MeasureStatisticsResult toResult(const Measure& measure, double nominal, const M
   result.has_controlled = found.controlled.has_value();
   if (found.controlled) result.controlled = toResult(*found.controlled);
   result.no_control = found.no_control;
+  const MeasureStatistics::Estimate mean = found.bestMean(), sigma = found.bestSigma();
+  result.best_mean = mean.value;
+  result.best_mean_low = mean.interval.low;
+  result.best_mean_high = mean.interval.high;
+  result.best_mean_controlled = mean.controlled;
+  result.best_sigma = sigma.value;
+  result.best_sigma_low = sigma.interval.low;
+  result.best_sigma_high = sigma.interval.high;
+  result.best_sigma_controlled = sigma.controlled;
   return result;
 }
 

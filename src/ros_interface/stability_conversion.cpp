@@ -69,6 +69,16 @@ AnalyzeStabilityResponse toResponse(const Scene& scene, const DesignValues& valu
   response.smallest_eigenvalue = analysis.nominal.smallest_eigenvalue;
   response.eigenvalue_low = analysis.eigenvalue_low;
   response.eigenvalue_high = analysis.eigenvalue_high;
+  for (const cable_variation::SnapWithin& snap : analysis.snaps) {
+    cable_variation::VariableSnap info;
+    info.variable = scene.design_variables[snap.variable].name;
+    info.deviation = snap.deviation;
+    info.jump = snap.jump;
+    info.cable = scene.harness.cables[snap.cable].name;
+    info.arc_length = snap.arc_length;
+    response.snaps.push_back(info);
+  }
+  response.undefined = analysis.undefined;
   response.coupling = toString(analysis.coupling);
   response.warnings = analysis.warnings;
   for (const ComponentVariation& variation : components) {

@@ -85,6 +85,35 @@ TEST_F(StabilitySection, HasTheAnalysisFiguresInMillimetresAndDegrees) {
   EXPECT_EQ(html.find("<td>312</td>"), std::string::npos);
 }
 
+TEST_F(StabilitySection, SaysWhatIsNotDefinedAndWhy) {
+  constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+  analysis_.values[0].value = std::numeric_limits<double>::infinity();
+  analysis_.jacobian.row(0).setConstant(kNone);
+  analysis_.contribution.row(0).setConstant(kNone);
+  analysis_.sigma[0] = analysis_.mean_shift[0] = analysis_.worst_low[0] = analysis_.worst_high[0] = kNone;
+  analysis_.undefined = {"the value is infinite at the nominal design (straight everywhere)", ""};
+  SnapWithin snap;
+  snap.variable = 0;
+  snap.deviation = -3.5 * kDegree;
+  snap.jump = 0.066;
+  analysis_.snaps = {snap};
+  const ReportSection section = stabilitySection(scene_, analysis_, {});
+  EXPECT_EQ(faultOfXml(reportPage("report", {}, {section})), "");
+  EXPECT_EQ(section.html().find("nan"), std::string::npos);
+  for (const char* expected :
+       {"derivatives not defined: the value is infinite", "D_CAR: not defined: the value", "D_CAR: no lines",
+        "<td>not defined</td>", "97 %"})
+    EXPECT_NE(section.html().find(expected), std::string::npos) << expected;
+  const std::string csv = stabilityCsv(scene_, analysis_, {});
+  EXPECT_NE(csv.find("\"not defined: the value is infinite at the nominal design (straight everywhere)\""),
+            std::string::npos);
+  EXPECT_NE(
+      csv.find("\"high not defined: no equilibrium there; low is of another equilibrium: a snap at -3.5 "
+               "deg\""),
+      std::string::npos)
+      << csv;
+}
+
 TEST_F(StabilitySection, WithoutLowAndHighLeavesThemOut) {
   analysis_.low_high.clear();
   analysis_.eigenvalue_low.clear();

@@ -242,7 +242,46 @@ class AnalyzeStabilityTest(NodeTest):
             folder = os.path.join(file.name, 'below')
             answer = self.writer(folder)(report='run_1')
             self.assertRefused(answer.status, Status.IO_ERROR, folder)
-            self.assertEqual(answer.measures, [])
+            self.assertEqual((answer.csv_file, answer.report_file), ('', ''))
+            self.assertEqual(len(answer.measures), 4)
+            self.assertEqual(len(answer.jacobian), 16)
+
+    def test_what_is_not_defined_is_said_and_never_nan(self):
+        self.assertSuccess(self.load_scene(DATA + 'straight.yaml').status)
+        try:
+            answer = self.analyze(nominal_variables=['rod_length'], nominal_values=[0.004])
+            self.assertSuccess(answer.status)
+            self.assertEqual([each.name for each in answer.measures], ['bend', 'tip', 'moment'])
+            self.assertIn('infinite', answer.undefined[0])
+            self.assertEqual(answer.undefined[1:], ['', ''])
+            self.assertTrue(math.isinf(answer.measures[0].value) and math.isnan(answer.sigma[0]))
+            # As far down as the tolerance goes the length is negative.
+            low = matrix(answer.low, answer)[1]
+            self.assertTrue(math.isnan(low[1]) and math.isfinite(low[0]))
+            result = self.run_client('--set', 'rod_length=4mm')
+            self.assertEqual((result.returncode, result.stderr), (0, ''))
+            self.assertNotIn('nan', result.stdout)
+            self.assertRegex(result.stdout, r'bend: not defined: the value is infinite')
+            self.assertRegex(result.stdout, r'rod_length: low and high are not defined \(-\) at its lower limit')
+        finally:
+            self.assertSuccess(self.load_scene(DATA + 'measured.yaml').status)
+
+    def test_a_snap_within_a_tolerance_is_told(self):
+        self.assertSuccess(self.load_scene(DATA + 'flat_strip.yaml').status)
+        try:
+            answer = self.analyze()
+            self.assertSuccess(answer.status)
+            self.assertEqual([each.variable for each in answer.snaps], ['r'])
+            snap = answer.snaps[0]
+            self.assertTrue(20 < abs(snap.deviation) * 180 / math.pi < 30, snap.deviation)
+            self.assertGreater(snap.jump, 0.04)
+            self.assertEqual(snap.cable, 'strip')
+            self.assertIn('snap to another equilibrium', ' '.join(answer.warnings))
+            result = self.run_client()
+            self.assertEqual((result.returncode, result.stderr), (0, ''))
+            self.assertRegex(result.stdout, r'warning: r at its (lower|upper) limit: from -?[0-9.]+ deg on')
+        finally:
+            self.assertSuccess(self.load_scene(DATA + 'measured.yaml').status)
 
     def test_the_harness_case(self):
         self.assertSuccess(self.load_scene('package://cable_variation/config/harness.yaml').status)

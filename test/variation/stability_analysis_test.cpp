@@ -238,6 +238,38 @@ TEST(StabilityAnalysis, WarnsOfANominalCloseToLosingItsStability) {
   EXPECT_TRUE(analysed(scene).warnings.empty());
 }
 
+// The bend radius of a straight rod is infinite: what would follow from derivatives is not defined, and said
+// so; of the others all is there.
+TEST(StabilityAnalysis, WhatIsNotDefinedIsSaid) {
+  Scene scene;
+  scene.accuracy = 1e-3;
+  scene.harness = cantilever(uniformCable(0.2, roundSection(1e4, 4e3, 0.1, 0.1)), Eigen::Vector3d::Zero());
+  scene.clip_mounts.resize(1);
+  addVariable(scene, "turn", ClipRotation{0, Axis::y}, -0.1, 0.1);
+  Measure bend, tip;
+  bend.name = "bend";
+  bend.type = Measure::Type::bend_radius;
+  tip.name = "tip";
+  tip.type = Measure::Type::position;
+  bend.cables = tip.cables = {0};
+  tip.arc_length = 0.2;
+  tip.direction = Eigen::Vector3d::UnitZ();
+  scene.measures = {bend, tip};
+  const StabilityAnalysis analysis = analysed(scene);
+  ASSERT_EQ(analysis.undefined.size(), 2u);
+  EXPECT_EQ(analysis.undefined[0], "the value is infinite at the nominal design (straight everywhere)");
+  EXPECT_EQ(analysis.undefined[1], "");
+  for (const double figure : {analysis.jacobian(0, 0), analysis.sigma[0], analysis.mean_shift[0],
+                              analysis.worst_low[0], analysis.worst_high[0], analysis.contribution(0, 0)})
+    EXPECT_TRUE(std::isnan(figure));
+  EXPECT_NEAR(analysis.jacobian(1, 0), -0.2, 1e-6);
+  EXPECT_NEAR(analysis.contribution(1, 0), 1.0, 1e-12);
+  EXPECT_EQ(analysis.coupling, Coupling::uncoupled);
+  ASSERT_FALSE(analysis.warnings.empty());
+  EXPECT_EQ(analysis.warnings.back(),
+            "bend: derivatives and spread are not defined: " + analysis.undefined[0]);
+}
+
 TEST(StabilityAnalysis, AnotherDesignIsAnalysedAsItsOwnNominal) {
   const Scene scene = fullScene();
   StabilityOptions options;

@@ -34,6 +34,10 @@ std::string controlColumns(const std::optional<ControlledEstimate>& controlled) 
          ends(c.sigma_interval) + "," + number(c.sigma_gain);
 }
 
+std::string bestColumns(const MeasureStatistics::Estimate& best) {
+  return "," + number(best.value) + ends(best.interval) + (best.controlled ? ",controlled" : ",plain");
+}
+
 }  // namespace
 
 std::string statisticsCsv(const Scene& scene, const SimulationStatistics& statistics) {
@@ -42,7 +46,8 @@ std::string statisticsCsv(const Scene& scene, const SimulationStatistics& statis
       "mean_low,mean_high,sigma,sigma_low,sigma_high,skewness,kurtosis,min,max,cp,cp_low,cp_high,cpk,cpk_low,"
       "cpk_high,cp_quantile,cpk_quantile,below,above,outside_low,outside_high,outside_at_worst,below_normal,"
       "above_normal,controlled_mean,controlled_mean_low,controlled_mean_high,mean_gain,controlled_sigma,"
-      "controlled_sigma_low,controlled_sigma_high,sigma_gain,percentile_error";
+      "controlled_sigma_low,controlled_sigma_high,sigma_gain,best_mean,best_mean_low,best_mean_high,"
+      "best_mean_is,best_sigma,best_sigma_low,best_sigma_high,best_sigma_is,percentile_error";
   if (!statistics.statistics.empty()) {
     for (const Percentile& percentile : statistics.statistics.front().percentiles) {
       table += ",p" + std::to_string(percentile.share);
@@ -57,8 +62,8 @@ std::string statisticsCsv(const Scene& scene, const SimulationStatistics& statis
              "," + std::to_string(s.infinite) + "," + number(s.confidence) + "," + number(s.mean) +
              ends(s.mean_interval) + "," + number(s.sigma) + ends(s.sigma_interval) + "," +
              number(s.skewness) + "," + number(s.kurtosis) + "," + number(s.min) + "," + number(s.max) +
-             capabilityColumns(s.capability) + controlColumns(s.controlled) + "," +
-             number(s.percentile_error);
+             capabilityColumns(s.capability) + controlColumns(s.controlled) + bestColumns(s.bestMean()) +
+             bestColumns(s.bestSigma()) + "," + number(s.percentile_error);
     for (const Percentile& percentile : s.percentiles) table += "," + number(percentile.value);
     table += "\r\n";
   }

@@ -34,6 +34,11 @@ std::string rejects(double share) {
 // What is less than half a thousandth is nothing here.
 double inThousandths(double value) { return std::round(1e3 * value) / 1e3; }
 
+ReportCell marked(ReportCell cell, const MeasureStatistics::Estimate& estimate) {
+  if (estimate.controlled) cell.text += " *";
+  return cell;
+}
+
 std::string gain(double factor) { return factor > 1000.0 ? "> 1000" : figure(factor, 3); }
 
 std::string confidenceText(const SimulationStatistics& statistics) {
@@ -45,24 +50,27 @@ std::string confidenceText(const SimulationStatistics& statistics) {
 
 ReportTable meanTable(const Scene& scene, const SimulationStatistics& statistics) {
   const std::string at = "\nat " + confidenceText(statistics);
-  ReportTable table{"Of all samples that have a finite value",
-                    {"measure", "nominal", "mean", "mean between" + at, "σ", "σ between" + at, "smallest",
-                     "largest", "skewness", "kurtosis", "unit", "samples", "without\nvalue", "infinite"},
-                    {}};
+  ReportTable table{
+      "Of all samples that have a finite value. * Mean and σ sharpened by the linear model as control "
+      "variate, where that makes their interval narrower",
+      {"measure", "nominal", "mean", "mean between" + at, "σ", "σ between" + at, "smallest", "largest",
+       "skewness", "kurtosis", "unit", "samples", "without\nvalue", "infinite"},
+      {}};
   for (std::size_t i = 0; i < statistics.measures.size(); ++i) {
     const Measure& measure = scene.measures[statistics.measures[i]];
     const MeasureStatistics& s = statistics.statistics[i];
     const ShownUnit unit = shownUnit(measure.unit);
+    const MeasureStatistics::Estimate mean = s.bestMean(), sigma = s.bestSigma();
     const auto cell = [&](double value) {
       const bool out = (measure.lower && value < *measure.lower) || (measure.upper && value > *measure.upper);
       return ReportCell{figure(unit.factor * value), 0.0, out};
     };
     table.rows.push_back({plain(measure.name),
                           cell(statistics.nominal[i]),
-                          cell(s.mean),
-                          plain(between(s.mean_interval, unit.factor)),
-                          plain(figure(unit.factor * s.sigma)),
-                          plain(between(s.sigma_interval, unit.factor)),
+                          marked(cell(mean.value), mean),
+                          plain(between(mean.interval, unit.factor)),
+                          marked(plain(figure(unit.factor * sigma.value)), sigma),
+                          plain(between(sigma.interval, unit.factor)),
                           cell(s.min),
                           cell(s.max),
                           plain(figure(inThousandths(s.skewness), 3)),
@@ -124,15 +132,17 @@ ReportTable percentileTable(const Scene& scene, const SimulationStatistics& stat
 ReportTable controlTable(const Scene& scene, const SimulationStatistics& statistics) {
   const std::string at = "\nat " + confidenceText(statistics);
   ReportTable table{
-      "Sharper by what is known of the linear model (control variate); gain: so many times as many samples "
-      "would "
-      "say as much without it",
-      {"measure", "mean", "mean between" + at, "gain", "σ", "σ between" + at, "gain", "unit", "note"},
+      "Mean and σ without and with what is known of the linear model (control variate); gain: so many times "
+      "as "
+      "many samples would say as much without it",
+      {"measure", "mean of the\nsamples", "σ of the\nsamples", "mean with\ncontrol", "mean between" + at,
+       "gain", "σ with\ncontrol", "σ between" + at, "gain", "unit", "note"},
       {}};
   for (std::size_t i = 0; i < statistics.measures.size(); ++i) {
     const MeasureStatistics& s = statistics.statistics[i];
     const ShownUnit unit = shownUnit(scene.measures[statistics.measures[i]].unit);
-    std::vector<ReportCell> row{plain(scene.measures[statistics.measures[i]].name)};
+    std::vector<ReportCell> row{plain(scene.measures[statistics.measures[i]].name),
+                                plain(figure(unit.factor * s.mean)), plain(figure(unit.factor * s.sigma))};
     if (s.controlled) {
       const ControlledEstimate& c = *s.controlled;
       row.insert(row.end(),

@@ -32,6 +32,10 @@ void addContributions(const Scene& scene, const StabilityAnalysis& analysis, Rep
   for (std::size_t i = 0; i < analysis.measures.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
     const Measure& measure = scene.measures[analysis.measures[i]];
+    if (!analysis.whyUndefined(i).empty()) {
+      section.paragraph(measure.name + ": not defined: " + analysis.whyUndefined(i) + ".");
+      continue;
+    }
     if (!(analysis.sigma[row] > 0.0)) {
       section.paragraph(measure.name + " does not vary to first order.");
       continue;
@@ -62,11 +66,16 @@ void addLowHigh(const Scene& scene, const StabilityAnalysis& analysis, ReportSec
   section.paragraph(
       "Each variable at its lower and at its upper limit, the others nominal, solved again. Lines that bend "
       "show what derivatives do not; dashed red: specification limits. Of each measure the variables that "
-      "move it most; a line that ends at nominal has no equilibrium beyond.");
+      "move it most; a line that ends at nominal has no equilibrium beyond. Followed step by step: where a "
+      "snap lies on the way, it is told above, and the end of the line is of another equilibrium.");
   for (std::size_t i = 0; i < analysis.measures.size(); ++i) {
     const Measure& measure = scene.measures[analysis.measures[i]];
     const ShownUnit unit = shownUnit(measure.unit);
     const double nominal = analysis.values[i].value;
+    if (!std::isfinite(nominal)) {
+      section.paragraph(measure.name + ": no lines, for " + analysis.whyUndefined(i) + ".");
+      continue;
+    }
     std::vector<std::size_t> order(analysis.variables.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     const auto reach = [&](std::size_t j) {

@@ -35,6 +35,8 @@ ReportTable measureTable(const Scene& scene, const StabilityAnalysis& analysis) 
     const MeasureValue& value = analysis.values[i];
     const ShownUnit unit = shownUnit(measure.unit);
     std::string note = value.note;
+    if (!analysis.whyUndefined(i).empty())
+      note += std::string(note.empty() ? "" : "; ") + "derivatives not defined: " + analysis.whyUndefined(i);
     if (!value.unique) note += std::string(note.empty() ? "" : "; ") + "found at more than one place";
     table.rows.push_back({{measure.name, 0.0, false},
                           {toString(measure.type), 0.0, false},
@@ -58,6 +60,12 @@ ReportTable spreadTable(const Scene& scene, const StabilityAnalysis& analysis) {
     const auto row = static_cast<Eigen::Index>(i);
     const double nominal = analysis.values[i].value, sigma = analysis.sigma[row];
     const double mean = nominal + analysis.mean_shift[row];
+    if (!analysis.whyUndefined(i).empty()) {
+      table.rows.push_back({{measure.name, 0.0, false}});
+      table.rows.back().resize(table.columns.size(), {"not defined", 0.0, false});
+      table.rows.back().back() = {unit.name, 0.0, false};
+      continue;
+    }
     const auto cell = [&](double value) {
       return ReportCell{figure(unit.factor * value), 0.0, !inside(measure, value)};
     };
@@ -88,6 +96,10 @@ ReportTable sensitivityTable(const Scene& scene, const StabilityAnalysis& analys
       const ShownUnit unit = shownUnit(scene.measures[analysis.measures[i]].unit);
       const auto r = static_cast<Eigen::Index>(i), c = static_cast<Eigen::Index>(j);
       const std::string units = unitsOf(unit, by);
+      if (!analysis.whyUndefined(i).empty()) {
+        row.push_back({"not defined", 0.0, false});
+        continue;
+      }
       row.push_back(
           {figure(unit.factor / by.factor * analysis.jacobian(r, c), 3) + (units.empty() ? "" : " " + units),
            analysis.contribution(r, c), false});

@@ -32,11 +32,25 @@ double indexError(double index, double side, double skewness, double kurtosis, d
   return std::sqrt(std::max(0.0, square));
 }
 
+double width(const ConfidenceInterval& interval) { return interval.high - interval.low; }
+
 double halfWidth(const ConfidenceInterval& interval, double sigma) {
   return std::max(interval.high - sigma, sigma - interval.low) / sigma;
 }
 
 }  // namespace
+
+MeasureStatistics::Estimate MeasureStatistics::bestMean() const {
+  if (controlled && width(controlled->mean_interval) < width(mean_interval))
+    return {controlled->mean, controlled->mean_interval, true};
+  return {mean, mean_interval, false};
+}
+
+MeasureStatistics::Estimate MeasureStatistics::bestSigma() const {
+  if (controlled && width(controlled->sigma_interval) < width(sigma_interval))
+    return {controlled->sigma, controlled->sigma_interval, true};
+  return {sigma, sigma_interval, false};
+}
 
 std::uint64_t samplesNeeded(const MeasureStatistics& statistics, double error) {
   if (!(error > 0.0 && error < 1.0)) {
@@ -45,12 +59,12 @@ std::uint64_t samplesNeeded(const MeasureStatistics& statistics, double error) {
   }
   if (statistics.count < kFewest) return 0;
   if (!(statistics.sigma > 0.0)) return statistics.count;
-  double width = halfWidth(statistics.sigma_interval, statistics.sigma);
+  double half = halfWidth(statistics.sigma_interval, statistics.sigma);
   if (statistics.controlled) {
-    width = std::min(width, halfWidth(statistics.controlled->sigma_interval, statistics.controlled->sigma));
+    half = std::min(half, halfWidth(statistics.controlled->sigma_interval, statistics.controlled->sigma));
   }
   // intervals are even on a logarithmic scale
-  const double ratio = std::log1p(width) / std::log1p(error);
+  const double ratio = std::log1p(half) / std::log1p(error);
   const double needed = std::ceil(static_cast<double>(statistics.count) * ratio * ratio);
   return std::max(kFewest, static_cast<std::uint64_t>(std::min(needed, 1e18)));
 }

@@ -56,6 +56,15 @@ struct MeasureStatistics {
   std::string no_control;                        ///< why `controlled` is not there
 
   double range() const { return max - min; }
+
+  /// The estimate to show where there is room for one: the controlled one if its interval is the narrower.
+  struct Estimate {
+    double value;
+    ConfidenceInterval interval;
+    bool controlled;
+  };
+  Estimate bestMean() const;
+  Estimate bestSigma() const;
 };
 
 /// So many samples, in all, make sigma_interval (or the controlled one, if narrower) at most `error` times σ

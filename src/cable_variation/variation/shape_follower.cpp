@@ -14,6 +14,11 @@ constexpr double kOddShare = 0.5, kOddOfLength = 0.01;
 constexpr double kStepShare = 0.3, kStepOfLength = 0.002;
 constexpr double kFirstStep = 1.0 / 8.0, kSmallestStep = 1.0 / 512.0;
 constexpr int kMostSteps = 150;  // a jump takes some 30; a way of nothing but jumps is given up
+// Closely followed, the shape is not expected to move further in one step: a share of the cable's length.
+constexpr double kCloseStep = 0.02;
+constexpr int kMostCloseSteps = 600;
+// A path whose ends and middle fit together to this share of the motion is smooth.
+constexpr double kSmoothShare = 0.1;
 
 }  // namespace
 
@@ -30,7 +35,7 @@ FollowedShape ShapeFollower::follow(const SamplePlace& place, bool with_rates) c
     EquilibriumSolver solver = solver_;
     followed.harness = reader_->space().harness(place);
     followed.equilibrium = solver.update(followed.harness);
-    if (!followed.equilibrium.converged()) return followInSteps(place, with_rates);
+    if (!followed.equilibrium.converged()) return followInSteps(place, with_rates, Pace::usual);
     followed.shape = with_rates
                          ? reader_->readWithRates(place, followed.harness, followed.equilibrium, solver)
                          : reader_->read(place, followed.harness, followed.equilibrium);
@@ -38,26 +43,101 @@ FollowedShape ShapeFollower::follow(const SamplePlace& place, bool with_rates) c
     followed.message = error.what();
     return followed;
   } catch (const std::runtime_error&) {
-    return followInSteps(place, with_rates);
+    return followInSteps(place, with_rates, Pace::usual);
   }
   const Eigen::Matrix3Xd expected = reference_.predicted(coordinates(place));
   const double odd = largestDistance(expected, followed.shape.ends[0]).distance;
   const double motion = largestDistance(expected, reference_.ends[0]).distance;
-  if (odd > kOddShare * motion + kOddOfLength * length_) return followInSteps(place, with_rates);
+  if (odd > kOddShare * motion + kOddOfLength * length_) return followInSteps(place, with_rates, Pace::usual);
   followed.converged = true;
   return followed;
 }
 
-FollowedShape ShapeFollower::followInSteps(const SamplePlace& place, bool with_rates) const {
+FollowedShape ShapeFollower::followClosely(const SamplePlace& place) const {
+  return followInSteps(place, false, Pace::close);
+}
+
+double ShapeFollower::expectedMotion(const SamplePlace& place) const {
+  const Eigen::Matrix3Xd expected = reference_.predicted(coordinates(place));
+  return largestDistance(expected, reference_.ends[0]).distance / length_;
+}
+
+FollowedShape ShapeFollower::followWatchfully(const SamplePlace& place) const {
+  FollowedShape followed;
+  try {
+    EquilibriumSolver solver = solver_;
+    followed.harness = reader_->space().harness(place);
+    followed.equilibrium = solver.update(followed.harness);
+    if (!followed.equilibrium.converged()) return followClosely(place);
+    followed.shape = reader_->readWithRates(place, followed.harness, followed.equilibrium, solver);
+    if (!isSmoothTo(followed.shape, solver_)) return followClosely(place);
+  } catch (const std::invalid_argument& error) {
+    followed.message = error.what();
+    return followed;
+  } catch (const std::runtime_error&) {
+    return followClosely(place);
+  }
+  followed.converged = true;
+  followed.shape.rates.clear();
+  return followed;
+}
+
+// With responses r at both ends of a smooth path x, x₁ - x₀ is (r₀ + r₁)/2 and x in the middle (x₀ + x₁)/2 +
+// (r₀ - r₁)/8, but for derivatives of the third and the fourth order.
+bool ShapeFollower::isSmoothTo(const StretchShape& there, const EquilibriumSolver& solver) const {
+  const Eigen::VectorXd change = coordinates(there.place);
+  const Eigen::Matrix3Xd start = reference_.ends[0], end = there.ends[0];
+  const Eigen::Matrix3Xd from_start = reference_.predicted(change) - start;
+  const Eigen::Matrix3Xd to_end = end - there.predicted(-change);
+  const double allowed = kSmoothShare * largestDistance(start, end).distance + kStepOfLength * length_;
+  if (largestDistance(end - start, 0.5 * (from_start + to_end)).distance > allowed) return false;
+  const SamplePlace half{0.5 * there.place.deviations, 0.5 * (reference_time_ + there.place.time)};
+  EquilibriumSolver middle = solver;
+  const Harness harness = reader_->space().harness(half);
+  const Equilibrium found = middle.update(harness);
+  if (!found.converged()) return false;
+  const StretchShape between = reader_->read(half, harness, found);
+  return largestDistance(between.ends[0], 0.5 * (start + end) + 0.125 * (from_start - to_end)).distance <=
+         allowed;
+}
+
+// The share of the way in which the shape is expected to move by no more than kCloseStep.
+double ShapeFollower::closeStep(const StretchShape& here, const SamplePlace& from, const SamplePlace& end,
+                                double left) const {
+  const Eigen::Matrix3Xd expected = here.predicted(coordinates(end) - coordinates(from));
+  const double motion = largestDistance(expected, here.ends[0]).distance;
+  return motion > 0.0 ? left * kCloseStep * length_ / motion : left;
+}
+
+// Whether the shape that was found ahead comes back to the one it was to come from.
+bool ShapeFollower::goesBack(const StretchShape& here, const SamplePlace& from,
+                             EquilibriumSolver ahead) const {
+  try {
+    const Harness harness = reader_->space().harness(from);
+    const Equilibrium back = ahead.update(harness);
+    if (!back.converged()) return false;
+    const StretchShape there = reader_->read(from, harness, back);
+    return largestDistance(there.ends[0], here.ends[0]).distance < kStepOfLength * length_;
+  } catch (const std::exception&) {
+    return false;
+  }
+}
+
+FollowedShape ShapeFollower::followInSteps(const SamplePlace& place, bool with_rates, Pace pace) const {
+  const bool close = pace == Pace::close;
   FollowedShape followed;
   EquilibriumSolver solver = solver_;
   StretchShape here = reference_;
-  double reached = 0.0, step = kFirstStep;
+  double reached = 0.0, step = close ? 1.0 : kFirstStep;
   const auto placeAt = [&](double share) {
     return SamplePlace{share * place.deviations, reference_time_ + share * (place.time - reference_time_)};
   };
   for (int tried = 0; reached < 1.0; ++tried) {
-    if (tried == kMostSteps) {
+    if (close) {
+      const double most = closeStep(here, placeAt(reached), place, 1.0 - reached);
+      step = std::min(step, std::max(most, kSmallestStep));
+    }
+    if (tried == (close ? kMostCloseSteps : kMostSteps)) {
       followed.message =
           "the shape cannot be followed there: it is close to losing its stability all the way";
       return followed;
@@ -92,11 +172,12 @@ FollowedShape ShapeFollower::followInSteps(const SamplePlace& place, bool with_r
         step *= 0.5;
         continue;
       }
-      if (odd.distance > kOddOfLength * length_) {
+      const bool first = !close || (!followed.jump && !goesBack(here, placeAt(reached), ahead));
+      if (odd.distance > kOddOfLength * length_ && first) {
         followed.jump = {here, there, static_cast<std::size_t>(odd.column / 2), odd.distance};
       }
     } else {
-      step = std::min(2.0 * step, kFirstStep);
+      step = close ? 2.0 * step : std::min(2.0 * step, kFirstStep);
     }
     solver = std::move(ahead);
     here = std::move(there);

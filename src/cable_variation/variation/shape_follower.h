@@ -16,7 +16,7 @@ struct FollowedShape {
   Equilibrium equilibrium;
   StretchShape shape;
 
-  /// The cables jumped on the way; the last jump counts.
+  /// The cables jumped on the way; the last jump counts, of followClosely() the first.
   struct Jump {
     StretchShape before, after;
     std::size_t stretch = 0;  ///< that moved most
@@ -42,8 +42,26 @@ class ShapeFollower {
 
   FollowedShape follow(const SamplePlace& place, bool with_rates) const;
 
+  /// In steps so small that no jump of some hundredths of the cables' length goes unseen, wherever the way
+  /// ends: what follow() tries first, one leap to the end, can land on another branch of equilibria near
+  /// where the first-order response happens to point. A change that is steep, but goes back the way it came,
+  /// is no jump.
+  FollowedShape followClosely(const SamplePlace& place) const;
+
+  /// As followClosely(), but in one leap where that is sure to be no jump: the responses at both ends of the
+  /// way, and the shape in its middle, lie on one smooth path.
+  FollowedShape followWatchfully(const SamplePlace& place) const;
+
+  /// How far the shape is expected to move, at most, to first order, as a share of the longest cable [1].
+  double expectedMotion(const SamplePlace& place) const;
+
  private:
-  FollowedShape followInSteps(const SamplePlace& place, bool with_rates) const;
+  enum class Pace { usual, close };
+  FollowedShape followInSteps(const SamplePlace& place, bool with_rates, Pace pace) const;
+  double closeStep(const StretchShape& here, const SamplePlace& from, const SamplePlace& end,
+                   double left) const;
+  bool isSmoothTo(const StretchShape& there, const EquilibriumSolver& solver) const;
+  bool goesBack(const StretchShape& here, const SamplePlace& from, EquilibriumSolver ahead) const;
 
   const StretchReader* reader_;
   EquilibriumSolver solver_;

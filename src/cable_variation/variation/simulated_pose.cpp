@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include <cable_variation/variation/arc_variation.h>
+#include <cable_variation/variation/distribution.h>
 #include <cable_variation/variation/measure_context.h>
 #include <cable_variation/variation/tolerances.h>
 
@@ -18,6 +19,12 @@ constexpr double kStretch = 4.0;
 // Distances are prepared for samples that go so many standard deviations from the design, and a little
 // further [m], since parts vary too.
 constexpr double kDeparture = 4.5, kFreeDeparture = 1e-3;
+
+// Snaps are looked for up to where a variable is once in so many samples, to each side.
+constexpr double kRare = 1e-5;
+// Where there are some, a sample that is not expected to move further than this share of the cables is not
+// one.
+constexpr double kNear = 0.02;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
@@ -86,6 +93,7 @@ SimulatedPose::SimulatedPose(const SampleSpace& space, const VariedDesign& desig
     stretches_.insert(stretches_.end(), own.begin(), own.end());
   }
   follower_.emplace(reader_, solver_, harness_, linear_.nominal, time);
+  watchful_ = snapsNearby(design.variables);
   try {
     batch_.emplace(solver_);
   } catch (const std::invalid_argument&) {
@@ -110,9 +118,46 @@ void SimulatedPose::findAxes(const std::vector<CableView>& views, const std::vec
       }
       const PrincipalAxes axes = principalAxes(gradient * covariance * gradient.transpose());
       axes_[cable].push_back(axes.directions);
-      largest_sigma_ = std::max(largest_sigma_, axes.sigma[0]);
+      if (axes.sigma[0] <= largest_sigma_) continue;
+      largest_sigma_ = axes.sigma[0];
+      furthest_ = gradient.transpose() * axes.directions.col(0);
     }
   }
+}
+
+bool SimulatedPose::snapsNearby(const std::vector<std::size_t>& variables) const {
+  const auto count = static_cast<Eigen::Index>(variables.size());
+  Eigen::MatrixX2d rarest(count, 2);
+  for (Eigen::Index j = 0; j < count; ++j) {
+    const DesignVariable& variable = space_->scene().design_variables[variables[static_cast<std::size_t>(j)]];
+    const auto distribution = makeDistribution(variable);
+    rarest.row(j) << distribution->quantile(kRare), distribution->quantile(1.0 - kRare);
+  }
+  const auto snapsAt = [&](const Eigen::VectorXd& deviations) {
+    const FollowedShape followed = follower_->followClosely({deviations, time_});
+    return followed.jump.has_value() ||
+           (!followed.converged && followed.equilibrium.status != EquilibriumStatus::impossible);
+  };
+  for (Eigen::Index j = 0; j < count; ++j) {
+    for (const int side : {0, 1}) {
+      if (snapsAt(rarest(j, side) * Eigen::VectorXd::Unit(count, j))) return true;
+    }
+  }
+  if (furthest_.size() == 0) return false;
+  for (const double sign : {-1.0, 1.0}) {
+    // all at once at their usual spread along the gradient: as rare together as each by itself
+    Eigen::VectorXd corner(count);
+    double squares = 0.0;
+    for (Eigen::Index j = 0; j < count; ++j) {
+      corner[j] = rarest(j, sign * furthest_[j] > 0.0 ? 1 : 0);
+      squares += furthest_[j] * furthest_[j] * corner[j] * corner[j];
+    }
+    if (squares == 0.0) continue;
+    for (Eigen::Index j = 0; j < count; ++j)
+      corner[j] *= std::abs(furthest_[j] * corner[j]) / std::sqrt(squares);
+    if (snapsAt(corner)) return true;
+  }
+  return false;
 }
 
 std::vector<double> SimulatedPose::arcLengths(std::size_t cable) const {
@@ -120,6 +165,10 @@ std::vector<double> SimulatedPose::arcLengths(std::size_t cable) const {
   arc_lengths.reserve(shares_.size());
   for (const double share : shares_) arc_lengths.push_back(share * harness_.cables[cable].length);
   return arc_lengths;
+}
+
+bool SimulatedPose::isDoubtful(const SamplePlace& place) const {
+  return watchful_ && follower_->expectedMotion(place) > kNear;
 }
 
 void SimulatedPose::predict(const double* deviations, double* values) const {
@@ -164,7 +213,7 @@ const std::array<PoseSample, PoseWorker::kSamples>& PoseWorker::solve(const Eige
   if (batch_ && !harnesses_.empty()) batch_->solve(harnesses_.data(), harnesses_.size());
   for (std::size_t k = 0; k < harnesses_.size(); ++k) {
     const std::size_t i = sample_of[k];
-    if (batch_ && batch_->outcome(k).converged()) {
+    if (batch_ && batch_->outcome(k).converged() && !pose_->isDoubtful(places[i])) {
       samples_[i].outcome = SampleOutcome::solved;
       Equilibrium equilibrium = batch_->describe(k);
       if (pose_->eigenvalue_) equilibrium.smallest_eigenvalue = batch_->smallestEigenvalue(k);
@@ -178,7 +227,8 @@ const std::array<PoseSample, PoseWorker::kSamples>& PoseWorker::solve(const Eige
 
 void PoseWorker::solveRobustly(const SamplePlace& place, PoseSample& sample) {
   sample.solved_again = true;
-  const FollowedShape followed = pose_->follower_->follow(place, false);
+  const FollowedShape followed = pose_->isDoubtful(place) ? pose_->follower_->followWatchfully(place)
+                                                          : pose_->follower_->follow(place, false);
   if (followed.converged) {
     sample.outcome = followed.jump ? SampleOutcome::snapped : SampleOutcome::solved;
     read(place, followed.harness, followed.equilibrium, sample);

@@ -43,7 +43,11 @@ class SimulatedPose {
 
  private:
   friend class PoseWorker;
+  bool isDoubtful(const SamplePlace& place) const;  // it may be beyond a snap
   void findAxes(const std::vector<CableView>& views, const std::vector<std::size_t>& variables);
+  /// Whether the cables snap on the way to where one variable is at its rarest values, or all go where a
+  /// section moves most.
+  bool snapsNearby(const std::vector<std::size_t>& variables) const;
 
   const SampleSpace* space_;
   double time_;
@@ -56,11 +60,13 @@ class SimulatedPose {
   ComponentPoses components_;
   MeasureEvaluator evaluator_;
   std::vector<std::vector<Eigen::Matrix3d>> axes_;  // per cable and section
+  Eigen::VectorXd furthest_;                        // along the axis of that section: gradient, per variable
   double largest_sigma_ = 0.0;                      // of a section, by the linear model [m]
   std::vector<MaterialStretch> stretches_;
   std::vector<std::string> frames_ = {"world"};
   StretchReader reader_;
   std::optional<ShapeFollower> follower_;
+  bool watchful_ = false;             // somewhere that production goes the cables snap
   std::optional<BatchSolver> batch_;  // none: it cannot take this harness
 };
 

@@ -32,7 +32,7 @@ class Analysis {
     const MeasureEvaluator evaluator = of_scene.with(scene_, nominal);
     differentiate(nominal, evaluator);
     propagate(spread);
-    if (options_.low_high) resolve(evaluator);
+    if (options_.low_high) resolve(harness, evaluator);
     return std::move(result_);
   }
 
@@ -67,7 +67,26 @@ class Analysis {
             eigenvalue_rates[column];
       }
     }
+    for (std::size_t row = 0; row < result_.measures.size(); ++row) {
+      const auto r = static_cast<Eigen::Index>(row);
+      result_.undefined.push_back(whyUndefined(result_.values[row], result_.jacobian.row(r)));
+      if (result_.undefined.back().empty()) continue;
+      result_.jacobian.row(r).setConstant(std::numeric_limits<double>::quiet_NaN());
+      warn(measure(row).name, ": derivatives and spread are not defined: ", result_.undefined.back());
+    }
     result_.linear_time = secondsSince(start);
+  }
+
+  std::string whyUndefined(const MeasureValue& value, const Eigen::RowVectorXd& gradient) const {
+    const std::string note = value.note.empty() ? "" : " (" + value.note + ")";
+    if (std::isnan(value.value)) return "the nominal design has no value" + note;
+    if (std::isinf(value.value)) return "the value is infinite at the nominal design" + note;
+    for (Eigen::Index column = 0; column < gradient.size(); ++column) {
+      if (std::isfinite(gradient[column])) continue;
+      return "it has no finite derivative by " + variable(static_cast<std::size_t>(column)).name +
+             " at the nominal design" + note;
+    }
+    return "";
   }
 
   // First order: mean, variance, contributions, worst case, coupling.
@@ -82,6 +101,13 @@ class Analysis {
     result_.worst_low.setZero(rows);
     result_.worst_high.setZero(rows);
     for (Eigen::Index row = 0; row < rows; ++row) {
+      if (!result_.undefined[static_cast<std::size_t>(row)].empty()) {
+        constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+        result_.mean_shift[row] = result_.sigma[row] = kNone;
+        result_.worst_low[row] = result_.worst_high[row] = kNone;
+        result_.contribution.row(row).setConstant(kNone);
+        continue;
+      }
       const Eigen::VectorXd gradient = jacobian.row(row).transpose();
       const Eigen::VectorXd parts = gradient.cwiseProduct(spread.covariance * gradient);
       const double variance = parts.sum();
@@ -98,7 +124,7 @@ class Analysis {
         result_.worst_high[row] = worst.high;
       }
     }
-    Eigen::MatrixXd effects = jacobian;
+    Eigen::MatrixXd effects = jacobian.unaryExpr([](double x) { return std::isnan(x) ? 0.0 : x; });
     for (Eigen::Index column = 0; column < columns; ++column) {
       effects.col(column) *= toleranceOf(static_cast<std::size_t>(column));
     }
@@ -111,13 +137,14 @@ class Analysis {
   }
 
   // Every variable at its limits, the others nominal.
-  void resolve(const MeasureEvaluator& evaluator) {
+  void resolve(const Harness& harness, const MeasureEvaluator& evaluator) {
     const auto start = Clock::now();
+    const LimitFinder finder(scene_, options_.values, options_.moved, harness, result_.nominal, solver_);
     result_.low_high.assign(result_.measures.size(), std::vector<LowHigh>(result_.variables.size()));
     double lowest_together = result_.nominal.smallest_eigenvalue;
     for (std::size_t column = 0; column < result_.variables.size(); ++column) {
-      const double low = resolveAt(evaluator, column, false);
-      const double high = resolveAt(evaluator, column, true);
+      const double low = resolveAt(finder, evaluator, column, false);
+      const double high = resolveAt(finder, evaluator, column, true);
       result_.eigenvalue_low.push_back(low);
       result_.eigenvalue_high.push_back(high);
       const double lowest = std::fmin(low, high);
@@ -136,57 +163,27 @@ class Analysis {
   }
 
   // Fills a column of low_high; returns the smallest eigenvalue.
-  double resolveAt(const MeasureEvaluator& evaluator, std::size_t column, bool high) {
-    const DesignVariable& varied = variable(column);
-    const auto given = options_.values.find(varied.name);
-    const double nominal = given == options_.values.end() ? varied.nominal : given->second;
-    const double deviation = high ? varied.upper : varied.lower;
-    const char* const limit = high ? " at its upper limit" : " at its lower limit";
-    DesignValues values = options_.values;
-    values[varied.name] = nominal + deviation;
+  double resolveAt(const LimitFinder& finder, const MeasureEvaluator& evaluator, std::size_t column,
+                   bool high) {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     std::vector<MeasureValue> measured(result_.measures.size());
     for (MeasureValue& value : measured) value.value = kNone;
     double eigenvalue = kNone;
-    try {
-      const Harness harness = harnessAt(scene_, values, options_.moved);
-      const ComponentPoses components = componentPosesAt(scene_, values, options_.moved);
-      EquilibriumSolver aside = solver_;
-      const Equilibrium found = aside.update(harness);
-      if (found.converged()) {
-        measured = evaluator.evaluate({harness, found, components}, result_.measures, &result_.values);
-        eigenvalue = found.smallest_eigenvalue;
-        warnOfSnap(found, column, deviation, limit);
-      } else {
-        warn(varied.name, limit, ": ", found.message);
-      }
-    } catch (const std::invalid_argument& error) {
-      warn(varied.name, limit, ": ", error.what());
+    const AtLimit found = finder.find(result_.variables[column], high);
+    if (found.equilibrium.converged()) {
+      measured = evaluator.evaluate({found.harness, found.equilibrium, found.components}, result_.measures,
+                                    &result_.values);
+      eigenvalue = found.equilibrium.smallest_eigenvalue;
+    }
+    if (found.snap) result_.snaps.push_back(*found.snap);
+    if (!found.message.empty()) {
+      warn(variable(column).name, high ? " at its upper limit: " : " at its lower limit: ", found.message);
     }
     for (std::size_t row = 0; row < measured.size(); ++row) {
       LowHigh& entry = result_.low_high[row][column];
       (high ? entry.high : entry.low) = measured[row].value;
     }
     return eigenvalue;
-  }
-
-  // Whether the shape went much further than its derivative says.
-  void warnOfSnap(const Equilibrium& found, std::size_t column, double deviation, const char* limit) {
-    double expected = 0.0, moved = 0.0, length = 0.0;
-    for (std::size_t cable = 0; cable < found.shapes.size(); ++cable) {
-      const auto& points = result_.nominal.shapes[cable].points;
-      const auto& rates = result_.rates[column].shapes[cable];
-      length = std::max(length, points.back().arc_length);
-      for (std::size_t i = 0; i < points.size(); ++i) {
-        const double there = points[i].arc_length + deviation * rates[i].arc_length;
-        expected = std::max(expected, std::abs(deviation) * rates[i].position.norm());
-        moved = std::max(moved, (found.shapes[cable].position(there) - points[i].pose.position).norm());
-      }
-    }
-    if (moved > kSnap * expected && moved > kSmallMotion * length) {
-      warn(variable(column).name, limit, ": the cables move by ", 1e3 * moved,
-           " mm where their derivative says ", 1e3 * expected, " mm: they snap to another equilibrium");
-    }
   }
 
   template <class... Parts>
@@ -198,8 +195,6 @@ class Analysis {
   }
 
   static constexpr double kMuchSofter = 0.5;
-  static constexpr double kSnap = 3.0;          // times the expected motion
-  static constexpr double kSmallMotion = 0.02;  // of a cable's length
 
   const Scene& scene_;
   const StabilityOptions& options_;
