@@ -75,33 +75,46 @@ void DiscreteRod::measure() {
   surface_metric_ = VectorXd::Zero(count_);
   bending_metric_ = VectorXd::Zero(count_);
   extent_ = VectorXd::Ones(count_);
-  const auto put = [&](int unknown, double share, const Cable& cable, double h, bool turns) {
+  struct Share {
+    double surface, bending, extent;
+  };
+  const auto put = [this](int unknown, const Share& share) {
     if (unknown < 0) return;
-    const Section& section = cable.sections.front().section;
-    const double softest = std::min({section.EI_y, section.EI_z, section.GJ});
-    const double radius = std::max(section.radius, 1e-3 * cable.length);
-    surface_metric_[unknown] += share / total * (turns ? radius * radius : 1.0);
-    bending_metric_[unknown] += softest * (turns ? 1.0 : 1.0 / (h * h)) / cable.length;
-    extent_[unknown] = turns ? 1.0 : cable.length;
+    surface_metric_[unknown] += share.surface;
+    bending_metric_[unknown] += share.bending;
+    extent_[unknown] = share.extent;
   };
   for (std::size_t i = 0; i < layout_.pieces.size(); ++i) {
     const DiscretePiece& piece = layout_.pieces[i];
     const Cable& cable = harness_.cables[piece.cable];
+    const Section& section = cable.sections.front().section;
+    const double softest = std::min({section.EI_y, section.EI_z, section.GJ});
     const double length = layout_.stations[piece.right].arc_length - layout_.stations[piece.left].arc_length;
+    // the surface turns by its radius about x, half of it about y and z; a rigid place has no length to turn
+    const double radius2 = std::pow(std::max(section.radius, 1e-6 * cable.length), 2);
+    const auto shift = [&](double h) -> Share {
+      return {h / total, softest / std::pow(cable.length, 3), cable.length};
+    };
+    const auto turn = [&](double h, int axis) -> Share {
+      return {(axis == 0 ? 1.0 : 0.5) * radius2 * h / total, softest / cable.length, 1.0};
+    };
+    const double none = 1e-9 * cable.length;
     for (std::size_t k = 0; k < piece.segments(); ++k) {
       const double h = length * (piece.at[k + 1] - piece.at[k]);
+      const double before = k == 0 ? 0.0 : length * (piece.at[k] - piece.at[k - 1]);
       for (int c = 0; c < 3; ++c) {
-        put(first_unknown_[i] + 3 * static_cast<int>(piece.segments() - 1 + k) + c, h, cable, cable.length,
-            true);
-        if (k > 0) put(first_unknown_[i] + 3 * static_cast<int>(k - 1) + c, h, cable, cable.length, false);
+        put(first_unknown_[i] + 3 * static_cast<int>(piece.segments() - 1 + k) + c, turn(h, c));
+        if (k > 0) put(first_unknown_[i] + 3 * static_cast<int>(k - 1) + c, shift(0.5 * (h + before)));
       }
     }
-    for (std::size_t station : {piece.left, piece.right}) {
-      const double h = 0.5 * length / static_cast<double>(piece.segments());
-      for (int unknown : unknown_[station].translation) put(unknown, h, cable, cable.length, false);
-      for (int unknown : unknown_[station].rotation) put(unknown, h, cable, cable.length, true);
-      put(unknown_[station].hinge, h, cable, cable.length, true);
-      put(unknown_[station].slide, h, cable, cable.length, false);
+    for (const bool left : {true, false}) {
+      const std::size_t at = left ? 1 : piece.segments();
+      const double h = 0.5 * length * (piece.at[at] - piece.at[at - 1]);
+      const StationUnknowns& own = unknown_[left ? piece.left : piece.right];
+      for (int unknown : own.translation) put(unknown, shift(h));
+      for (int c = 0; c < 3; ++c) put(own.rotation[static_cast<std::size_t>(c)], turn(none, c));
+      put(own.hinge, turn(none, 0));
+      put(own.slide, shift(none));
     }
   }
 }

@@ -14,6 +14,7 @@ enum class Verdict {
   holds_violated,      ///< a clip or joint does not do what it is
   centreline_off,      ///< the independent rod, settled from the answer, is elsewhere
   saddle,              ///< reported as stable
+  eigenvalue_off,      ///< the smallest eigenvalue reported is another
   twist_lost,          ///< a hinted twist is not there, and nothing said so
   alternative_lower,   ///< the answer lists a shape lower than itself
   lower_missed,        ///< a simple start leads clearly lower
@@ -22,7 +23,7 @@ enum class Verdict {
   not_solvable,        ///< not solved, and no simple start ends in a stable shape either
   threw                ///< solve() threw on a sound harness
 };
-constexpr int kVerdicts = 13;
+constexpr int kVerdicts = 14;
 
 const char* toString(Verdict verdict);
 
@@ -33,7 +34,6 @@ struct Judgement {
   bool started = false;     ///< simple starts looked for a lower shape
   bool undecided =
       false;  ///< the independent rod did not settle near the answer: equations and balance alone count
-  double eigenvalue_own = 0.0;  ///< smallest, of the independent rod [N/m]
 };
 
 struct JudgeOptions {

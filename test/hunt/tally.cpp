@@ -8,7 +8,8 @@ namespace cable_variation::hunt {
 namespace {
 
 constexpr Verdict kWrong[] = {Verdict::equations_violated, Verdict::balance_violated, Verdict::holds_violated,
-                              Verdict::centreline_off,     Verdict::saddle,           Verdict::twist_lost};
+                              Verdict::centreline_off,     Verdict::saddle,           Verdict::eigenvalue_off,
+                              Verdict::twist_lost};
 
 std::string row(const Tally& tally) {
   std::string text =
@@ -74,10 +75,11 @@ std::vector<std::string> missedTargets(const Tally& all) {
 
 std::string tableOf(const std::vector<Tally>& tallies) {
   std::string text =
-      "| family | tried | solved | equations | balance | holds | centreline | saddle | twist lost | "
+      "| family | tried | solved | equations | balance | holds | centreline | saddle | eigenvalue | twist "
+      "lost | "
       "alternative lower | lower missed | not converged though solvable | wrong reason | no start solves it "
       "| "
-      "undecided | ms |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+      "undecided | ms |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
   for (const Tally& tally : tallies) text += row(tally);
   return text + row(sum(tallies));
 }
