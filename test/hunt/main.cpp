@@ -40,6 +40,10 @@ Arguments parse(int argc, char** argv) {
   Arguments arguments;
   for (int i = 1; i < argc; ++i) {
     const std::string key = argv[i];
+    if (key == "--help") {
+      std::cout << kUsage;
+      std::exit(EXIT_SUCCESS);
+    }
     if (key == "--slender") {
       arguments.slender = true;
       continue;
