@@ -32,8 +32,9 @@ struct Judgement {
   std::string text;         ///< figures, for a person
   double solve_time = 0.0;  ///< [s]
   bool started = false;     ///< simple starts looked for a lower shape
-  bool undecided =
-      false;  ///< the independent rod did not settle near the answer: equations and balance alone count
+  /// The independent rod did not settle near the answer, so that equations, balance and holds alone count; or
+  /// of what was not solved, a simple start's shape was not confirmed.
+  bool undecided = false;
 };
 
 struct JudgeOptions {
