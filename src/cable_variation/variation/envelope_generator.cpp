@@ -39,7 +39,8 @@ constexpr std::size_t kFollowedTimes = 4;
 // Solves of all phases together, and of each at most and at least, after which, again and again, half as much
 // is asked for: small gains come without end near snaps, and over long ways.
 constexpr std::size_t kPatience = 20000, kMostPatience = 150, kLeastPatience = 24;
-// Of more phases than this each forgets the derivatives of its shapes when it is done.
+// Of more phases than this each forgets the derivatives of its shapes when it is done, and of fewer if they
+// take too much memory.
 constexpr std::size_t kFewPhases = 64;
 // A section turns as much as a clip near it, and the cable moves aside by that turn times some of its length.
 constexpr double kLever = 0.25;
@@ -198,10 +199,17 @@ class Generator {
         report_({"shapes", 0.1 + 0.5 * static_cast<double>(done) / static_cast<double>(which.size()),
                  solved + search.solves(), search.follower().referenceTime()});
       });
-      if (searches_.size() > kFewPhases) search.forgetRates();
+      if (mustForget()) search.forgetRates();
       ++done;
       solved += search.solves();
     });
+  }
+
+  // Whether the derivatives of all phases' shapes would be too many to keep.
+  bool mustForget() const {
+    if (searches_.size() == 1) return false;
+    const double kept = static_cast<double>(searches_.size() * kMostPatience) * memory_.shape;
+    return searches_.size() > kFewPhases || kept > EnvelopeMemory::kForSearches * options_.memory_limit;
   }
 
   std::size_t patience() const {
