@@ -8,6 +8,7 @@
 #include <cable_variation/geometry/mesh_reader.h>
 #include <cable_variation/variation/component_parts.h>
 #include <cable_variation/variation/forbidden_region.h>
+#include <cable_variation/variation/open_parts.h>
 #include <ros_interface/clearance_markers.h>
 #include <ros_interface/interference_publisher.h>
 #include <ros_interface/message_conversion.h>
@@ -71,8 +72,8 @@ Pose poseOf(geometry_msgs::Pose pose) {
 /// One part's answer and what is to be seen of it.
 /// @param mesh the part's; may be left out where nothing collides
 void add(const ForbiddenRegion& region, const RegionClearance& found, const std::string& part,
-         const TriangleMesh& mesh, const Pose& pose, cable_variation::CheckForbiddenRegionResponse& response,
-         InterferenceView& view) {
+         const cable_variation::PartOpenness& openness, const TriangleMesh& mesh, const Pose& pose,
+         cable_variation::CheckForbiddenRegionResponse& response, InterferenceView& view) {
   const ForbiddenRegion::Piece& piece = region.pieces[found.piece];
   RegionClearanceResult result;
   result.part = part;
@@ -85,6 +86,9 @@ void add(const ForbiddenRegion& region, const RegionClearance& found, const std:
   result.from_time = piece.from;
   result.to_time = piece.to;
   result.colliding_triangles = static_cast<std::uint32_t>(found.colliding.size());
+  result.note = cable_variation::openPartWarning("'" + part + "'", openness);
+  if (found.undecided)
+    result.note += "; whether it holds some of the region there cannot be told: counted as not";
   response.clearances.push_back(result);
 
   const std::string marker_namespace = kRegionMarkers + part;
@@ -153,7 +157,7 @@ CheckForbiddenRegionService::Response CheckForbiddenRegionService::check(const R
     const TriangleMesh mesh = loadMesh(request.mesh, request.scale);
     const Pose pose = poseOf(request.pose);
     const cable_variation::DistancePart part(mesh);
-    add(region, checkRegion(region, part, pose), request.mesh, mesh, pose, response, view);
+    add(region, checkRegion(region, part, pose), request.mesh, part.openness(), mesh, pose, response, view);
   } else {
     const Scene& scene = context_.design().scene;
     const SolverContext::Snapshot snapshot = context_.snapshot();
@@ -165,7 +169,7 @@ CheckForbiddenRegionService::Response CheckForbiddenRegionService::check(const R
       const Pose& pose = poses.at(component.name);
       const RegionClearance found = checkRegion(region, *parts.find(index), pose);
       const TriangleMesh mesh = found.colliding.empty() ? TriangleMesh() : mergedMesh(component);
-      add(region, found, component.name, mesh, pose, response, view);
+      add(region, found, component.name, parts.find(index)->openness(), mesh, pose, response, view);
     }
   }
   std::set<std::string> cables;

@@ -52,6 +52,7 @@ ClearanceResult toResult(const Scene& scene, const std::vector<std::string>& var
   result.nominal = clearance.nominal;
   result.nominal_time = clearance.nominal_time;
   result.worst_sample = clearance.worst_sample;
+  result.note = noteOf(clearance);
   result.colliding_triangles = static_cast<std::uint32_t>(clearance.colliding.size());
   const std::optional<double> limit = lowerLimit(scene, clearance);
   result.has_limit = limit.has_value();
@@ -153,6 +154,7 @@ GenerateEnvelopeResponse toResponse(const Scene& scene, const Envelope& envelope
   response.failures = static_cast<std::uint32_t>(envelope.failures);
   response.discretisation_error = envelope.discretisation_error;
   response.warnings = envelope.warnings;
+  for (std::string& warning : openPartWarnings(clearances)) response.warnings.push_back(std::move(warning));
   response.solve_time = envelope.solve_time;
   response.verify_time = envelope.verify_time;
   return response;

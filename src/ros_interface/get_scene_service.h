@@ -3,6 +3,7 @@
 #include <ros/service_server.h>
 
 #include <cable_variation/GetScene.h>
+#include <cable_variation/variation/open_parts.h>
 
 namespace ros {
 class NodeHandle;
@@ -21,6 +22,7 @@ class GetSceneService {
   bool handle(cable_variation::GetSceneRequest& request, cable_variation::GetSceneResponse& response);
 
   const SolverContext& context_;
+  cable_variation::ComponentOpenness openness_;
   ros::ServiceServer server_;
 };
 

@@ -6,6 +6,7 @@
 #include <ros/node_handle.h>
 
 #include <cable_variation/scene/moving_components.h>
+#include <cable_variation/variation/open_parts.h>
 #include <ros_interface/design_values.h>
 #include <ros_interface/measure_conversion.h>
 #include <ros_interface/message_conversion.h>
@@ -59,6 +60,8 @@ bool SolveEquilibriumService::handle(Request& request, Response& response) {
     const std::vector<cable_variation::MeasureValue> measured = context_.measure(trial, all);
     for (const std::size_t i : all)
       answer.measures.push_back(toResult(scene.measures[i], measured[i], scene));
+    for (std::string& warning : openPartWarnings(scene, context_.parts(), componentsMeasured(scene, all)))
+      answer.warnings.push_back(std::move(warning));
     response = std::move(answer);
   });
   response.status = status;

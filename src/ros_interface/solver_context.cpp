@@ -89,8 +89,11 @@ void SolverContext::move(const ComponentPoses& moved) {
 }
 
 SolverContext::Snapshot SolverContext::snapshot() const {
-  return {design_, moved_, solver_, evaluator_ ? evaluator_->parts() : cable_variation::ComponentParts(),
-          design_number_};
+  return {design_, moved_, solver_, parts(), design_number_};
+}
+
+cable_variation::ComponentParts SolverContext::parts() const {
+  return evaluator_ ? evaluator_->parts() : cable_variation::ComponentParts();
 }
 
 MeasureEvaluator SolverContext::evaluator(const Snapshot& snapshot) const {

@@ -34,6 +34,8 @@ class SolverContext {
     std::size_t design_number = 0;
   };
   Snapshot snapshot() const;
+  /// Components as far as they have been prepared: those that measures looked at.
+  cable_variation::ComponentParts parts() const;
   /// For work on another thread with a snapshot of this context, which must outlive it. Its nominal shape is
   /// any.
   cable_variation::MeasureEvaluator evaluator(const Snapshot& snapshot) const;

@@ -75,14 +75,18 @@ bool anyWithin(const TriangleTree& tree, const Box& box, double distance) {
 
 // The corner of the core that is deepest within a solid of the part. What is open counts where its winding
 // number is clear.
-std::optional<BodyPair> deepestCorner(const PlacedBody& body, const Part& part) {
+std::optional<BodyPair> deepestCorner(const PlacedBody& body, const Part& part,
+                                      std::atomic<bool>& undecided) {
   std::optional<BodyPair> deepest;
   for (const Vector3d& corner : body.vertices()) {
     for (const std::uint32_t solid : part.solidsAround(corner)) {
       const Part::Nearest nearest = *part.nearestOn(solid, corner, std::numeric_limits<double>::infinity());
       const double value = -nearest.at.distance - body.radius();
       if (deepest && value >= deepest->distance) continue;
-      if (solid == part.openSolid() && !part.winding(corner).clear) continue;
+      if (solid == part.openSolid() && !part.winding(corner).clear) {
+        undecided = true;
+        continue;
+      }
       deepest = BodyPair();
       deepest->distance = value;
       deepest->on_body = corner + body.radius() * nearest.at.direction;
@@ -120,7 +124,8 @@ BodyPair fromDepth(const PlacedBody& body, const Part& part, const DeepestPoint&
 }
 
 // Up to `cutoff`. @param inside the core's centre lies in a solid
-std::optional<BodyPair> closestPlaces(const PlacedBody& body, const Part& part, bool inside, double cutoff) {
+std::optional<BodyPair> closestPlaces(const PlacedBody& body, const Part& part, bool inside, double cutoff,
+                                      std::atomic<bool>& undecided) {
   const double reach = cutoff + body.radius();
   if (!inside && !anyWithin(part.tree, body.box(), std::max(reach, 0.0)) &&
       !(part.caps && anyWithin(*part.caps, body.box(), 0.0))) {
@@ -139,7 +144,7 @@ std::optional<BodyPair> closestPlaces(const PlacedBody& body, const Part& part, 
     }
   }
   if (part.solids.count > 0 && (inside || crosses)) {
-    const auto corner = deepestCorner(body, part);
+    const auto corner = deepestCorner(body, part, undecided);
     if (corner && (!closest || corner->distance < closest->distance)) closest = corner;
   }
   if (closest && closest->distance > cutoff) return std::nullopt;
@@ -176,10 +181,12 @@ std::optional<BodyPair> distance(const std::vector<const RoundedHull*>& bodies, 
                                (impl.caps && distanceTo(*impl.caps, there, reach) < reach);
     candidates[i] = {i, key, may_be_inside ? -away - reach - bodies[i]->radius : key};
   });
+  std::atomic<bool> undecided{false};
   auto closest = closestOf(std::move(candidates), [&](std::size_t i, double cutoff) {
-    return closestPlaces(PlacedBody(*bodies[i], to_part), impl, inside[i] != 0, cutoff);
+    return closestPlaces(PlacedBody(*bodies[i], to_part), impl, inside[i] != 0, cutoff, undecided);
   });
   if (closest) {
+    closest->undecided = undecided || !impl.winding(closest->on_body).clear;
     closest->on_body = placed * closest->on_body;
     closest->on_other = placed * closest->on_other;
   }

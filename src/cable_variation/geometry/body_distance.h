@@ -17,6 +17,7 @@ struct BodyPair {
   std::size_t body = 0;               ///< index of the body, or of the two
   std::size_t facet = 0;              ///< of its core, the one concerned
   std::size_t triangle = 0;           ///< of the part's mesh, or of the other's core
+  bool undecided = false;             ///< it is not known whether a body is inside of a part that is open
 };
 
 /// The smallest distance of bodies from a part at `pose` in their frame, exact to 1e-7 m where they are
@@ -25,9 +26,10 @@ struct BodyPair {
 ///   part's surface that is deepest in it, exact too;
 /// - where a body enters or lies inside a solid of the part (solids.h): minus the depth below the solid's
 ///   surface of the deepest corner of the body's core, minus the body's radius;
-/// whichever is smaller. `on_body` is then the point of the body's surface that is nearest to that deepest
-/// point, or beyond that corner. Of bodies as close to 1e-12 m the first. None without bodies. Throws
-/// std::invalid_argument for a pose that is not finite.
+/// whichever is smaller. Of what is open of the part, corners count as inside where its winding number is
+/// clear; where it is not, at a corner or at `on_body`, that is said (undecided). `on_body` is then the point
+/// of the body's surface that is nearest to that deepest point, or beyond that corner. Of bodies as close to
+/// 1e-12 m the first. None without bodies. Throws std::invalid_argument for a pose that is not finite.
 std::optional<BodyPair> distance(const std::vector<const RoundedHull*>& bodies, const DistancePart& part,
                                  const Pose& pose);
 

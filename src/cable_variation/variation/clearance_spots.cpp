@@ -227,6 +227,8 @@ std::optional<Spot> SpotFinder::toComponent(std::size_t cable, std::size_t compo
   spot.pieces = {pieces[pair->body]};
   spot.clearance.cable = cable;
   spot.clearance.component = name;
+  spot.clearance.openness = part.openness();
+  spot.clearance.undecided = pair->undecided;
   spot.clearance.distance = pair->distance;
   spot.clearance.on_envelope = pair->on_body;
   spot.clearance.on_other = pair->on_other;

@@ -12,6 +12,7 @@
 #include <cable_variation/variation/cable_view.h>
 #include <cable_variation/variation/clearance_samples.h>
 #include <cable_variation/variation/clearance_spots.h>
+#include <cable_variation/variation/open_parts.h>
 #include <cable_variation/variation/pair_search.h>
 #include <cable_variation/variation/sample_follower.h>
 
@@ -98,6 +99,7 @@ void complete(ClearanceSpot& spot, const ToleranceSpace& tolerances, const Envel
   }
   clearance.between_bodies = clearance.distance;
   if (clearance.other) judgeTogether(spot, tolerances, options, clearance_options, shapes, worst);
+  if (worst && worst->pair.side == ClosestPair::Side::undecided) clearance.undecided = true;
   clearance.worst_sample = worst ? worst->pair.distance : std::numeric_limits<double>::infinity();
   if (!worst) return;
   const bool together = clearance.kind == EnvelopeClearance::Kind::together;
@@ -109,6 +111,24 @@ void complete(ClearanceSpot& spot, const ToleranceSpace& tolerances, const Envel
 }
 
 }  // namespace
+
+std::string noteOf(const EnvelopeClearance& clearance) {
+  if (clearance.undecided) {
+    return "it cannot be told whether the cable is inside '" + clearance.component +
+           "', which is open there: counted as outside";
+  }
+  return clearance.openness.isOpen() ? "'" + clearance.component + "' is open" : "";
+}
+
+std::vector<std::string> openPartWarnings(const std::vector<EnvelopeClearance>& clearances) {
+  std::set<std::string> told;
+  std::vector<std::string> warnings;
+  for (const EnvelopeClearance& clearance : clearances) {
+    if (!clearance.openness.isOpen() || !told.insert(clearance.component).second) continue;
+    warnings.push_back(openPartWarning("component '" + clearance.component + "'", clearance.openness));
+  }
+  return warnings;
+}
 
 std::vector<EnvelopeClearance> clearances(const Scene& scene, const Envelope& envelope,
                                           const EnvelopeOptions& options, const ComponentParts& parts,

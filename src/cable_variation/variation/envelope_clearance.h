@@ -40,6 +40,8 @@ struct EnvelopeClearance {
   double margin = 0.0;  ///< twice what the search leaves, or what random shapes show it to have left [m]
   std::size_t random_shapes = 0;  ///< looked at after the search, independent of it
   double between_bodies = 0.0;    ///< the bound for cables whose shapes may be any of their bodies' [m]
+  PartOpenness openness;          ///< of the component
+  bool undecided = false;         ///< whether a cable is inside of it where it is open: counted as outside
   std::vector<std::uint32_t> colliding;  ///< triangles of the component's mesh (mergedMesh()) that enter the
                                          ///< envelope
 };
@@ -58,6 +60,11 @@ struct ClearanceOptions {
 /// Components that the envelope must be seen from for its clearances, to be put into
 /// EnvelopeOptions::frames: those that a motion or a variable moves, one of those that move together.
 std::vector<std::string> clearanceFrames(const Scene& scene, const EnvelopeOptions& options);
+
+/// What to know of a clearance; empty: nothing.
+std::string noteOf(const EnvelopeClearance& clearance);
+/// One sentence for each component that is open.
+std::vector<std::string> openPartWarnings(const std::vector<EnvelopeClearance>& clearances);
 
 /// Solves the scene again for a sample of the envelope.
 using SampleSolver = std::function<SolvedSample(const EnvelopeSample&)>;

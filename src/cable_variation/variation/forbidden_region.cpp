@@ -34,7 +34,7 @@ RegionClearance checkRegion(const ForbiddenRegion& region, const DistancePart& p
   for (const ForbiddenRegion::Piece& piece : region.pieces) bodies.push_back(&piece.body);
   const auto pair = distance(bodies, part, pose);
   if (!pair) throw std::invalid_argument("forbidden region: no pieces, expected at least one");
-  RegionClearance clearance{pair->distance, pair->body, pair->on_body, pair->on_other, {}};
+  RegionClearance clearance{pair->distance, pair->body, pair->on_body, pair->on_other, {}, pair->undecided};
   if (pair->distance <= 0.0) clearance.colliding = enteringTriangles(bodies, part, pose);
   return clearance;
 }

@@ -50,6 +50,7 @@ struct RegionClearance {
   std::size_t piece = 0;  ///< of the region, the closest
   Eigen::Vector3d on_region, on_part;    ///< closest points of the surfaces [m], region's frame
   std::vector<std::uint32_t> colliding;  ///< triangles of the part's mesh that enter the region
+  bool undecided = false;                ///< BodyPair::undecided
 };
 
 /// @param pose of the part in the region's frame. Throws std::invalid_argument: a region without pieces, a

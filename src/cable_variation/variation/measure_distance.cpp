@@ -4,12 +4,14 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <sstream>
 #include <stdexcept>
 
 #include <Eigen/Geometry>
 
 #include <cable_variation/geometry/part_vicinity.h>
 #include <cable_variation/variation/joint_between.h>
+#include <cable_variation/variation/open_parts.h>
 
 namespace cable_variation {
 namespace {
@@ -62,6 +64,30 @@ MeasureValue fromPair(const MeasureContext& context, std::size_t cable, const Cl
   return value;
 }
 
+// What to know of a value below none, and of one at a part that is open.
+std::string depthNote(const std::string& name, const ClosestPair& pair) {
+  const bool open = pair.side != ClosestPair::Side::known;
+  std::ostringstream note;
+  note.precision(2);
+  if (pair.is_depth) {
+    note << "the centreline enters '" << name
+         << "': minus the depth of its deepest point and the radius there";
+    if (open && std::round(pair.winding) != 0.0) {
+      note << "; '" << name << "' is open, its winding number " << pair.winding
+           << " tells that this is inside";
+    } else if (open) {
+      note << "; other shells of '" << name << "' are open";
+    }
+  } else if (pair.contact == ClosestPair::Contact::pierced) {
+    note << "the centreline " << (open ? "pierces or touches the surface of '" : "touches '") << name
+         << (open ? "', which is open: minus the radius, as the depth of what bounds no inside is not known"
+                  : "' and goes no deeper: minus the radius");
+  } else if (open) {
+    note << "'" << name << "' is open";
+  }
+  return note.str();
+}
+
 // The change of the distance per t of a place on `view`, the closest points' direction being `direction`.
 double slopeAt(const CableView& view, const Place& place, const Vector3d& direction) {
   const Centreline::Piece& piece = view.line().pieces[place.piece];
@@ -109,8 +135,13 @@ MeasureValue componentDistanceValue(const MeasureContext& context, const Measure
   if (smallest == measure.cables.size()) return nothingToMeasure();
   const ClosestPair& closest = *pairs[smallest];
   MeasureValue value = fromPair(context, measure.cables[smallest], closest);
-  if (closest.contact == ClosestPair::Contact::pierced)
-    value.note = "the centreline enters '" + name + "': minus the depth of its deepest point";
+  value.note = depthNote(name, closest);
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    if (!pairs[k] || pairs[k]->side != ClosestPair::Side::undecided) continue;
+    value.undecided = true;
+    value.note += (value.note.empty() ? "" : "; ") + undecidedNote(name, pairs[k]->side, pairs[k]->winding);
+    break;
+  }
   bool shared = closest.runner_up < closest.distance + kEqual;
   for (std::size_t k = 0; k < pairs.size(); ++k)
     shared = shared || (k != smallest && pairs[k] && pairs[k]->distance < closest.distance + kEqual);

@@ -18,6 +18,7 @@ namespace cable_variation {
 struct MeasureValue {
   double value = 0.0;       ///< in the measure's SI unit
   std::string note;         ///< what a person must know of it: pierced, not unique; empty: nothing
+  bool undecided = false;   ///< distance: it is not known whether a cable is inside of an open part
   bool unique = true;       ///< false: another place has the same value, the derivative is one-sided
   bool has_place = false;   ///< the following are given
   std::size_t cable = 0;    ///< index

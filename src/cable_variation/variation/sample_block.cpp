@@ -15,6 +15,7 @@ void SampleFigures::merge(SampleFigures&& later) {
     worst[pose] += later.worst[pose];
   }
   solved_again += later.solved_again;
+  undecided += later.undecided;
   discretisation_error = std::max(discretisation_error, later.discretisation_error);
 }
 
@@ -55,6 +56,7 @@ void BlockWorker::solveSome(SampleBlock& block, std::size_t at, std::size_t coun
       outcome = std::max(outcome, solved[i].outcome);
       block.figures.solved_again += solved[i].solved_again ? 1 : 0;
       if (!hasValues(solved[i].outcome)) continue;
+      block.figures.undecided += solved[i].undecided ? 1 : 0;
       takeWorst(block, at + i, pose, solved[i]);
       addShapes(block, at + i, pose, solved[i]);
       block.figures.discretisation_error =

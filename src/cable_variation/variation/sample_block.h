@@ -20,6 +20,7 @@ struct SampleFigures {
   std::vector<std::uint64_t> worst;             ///< per pose: so often was a measure's value the worst there
   std::uint64_t solved_again = 0;
   double discretisation_error = 0.0;  ///< [m]
+  std::uint64_t undecided = 0;        ///< equilibria at which a cable may be inside of an open part or not
 
   void merge(SampleFigures&& later);
 };

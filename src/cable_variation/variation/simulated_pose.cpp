@@ -246,7 +246,11 @@ void PoseWorker::read(const SamplePlace& place, const Harness& harness, const Eq
       {harness, equilibrium, components}, pose_->measures_, &pose_->linear_.values);
   sample.discretisation_error = equilibrium.discretisation_error;
   sample.values.clear();
-  for (const MeasureValue& value : values) sample.values.push_back(value.value);
+  sample.undecided = false;
+  for (const MeasureValue& value : values) {
+    sample.values.push_back(value.value);
+    sample.undecided = sample.undecided || value.undecided;
+  }
   sample.points.resize(harness.cables.size());
   const auto sections = static_cast<Eigen::Index>(pose_->shares_.size());
   for (std::size_t cable = 0; cable < harness.cables.size(); ++cable) {

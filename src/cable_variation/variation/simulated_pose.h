@@ -74,6 +74,7 @@ class SimulatedPose {
 struct PoseSample {
   SampleOutcome outcome = SampleOutcome::not_converged;
   bool solved_again = false;             ///< by the robust solver
+  bool undecided = false;                ///< whether a cable is inside of an open part
   double discretisation_error = 0.0;     ///< [m]
   std::vector<double> values;            ///< per measure
   std::vector<Eigen::Matrix3Xd> points;  ///< per cable, of its sections [m, world]

@@ -322,6 +322,11 @@ class Simulator {
   void addWarnings() {
     result_.warnings.insert(result_.warnings.end(), result_.linear.warnings.begin(),
                             result_.linear.warnings.end());
+    if (figures_->undecided > 0) {
+      warn("in ", figures_->undecided,
+           " equilibria it cannot be told whether a cable is inside of an open part or not:"
+           " their distances count as if it were outside");
+    }
     for (std::size_t i = 0; i < result_.missed.size(); ++i) {
       const double sigma = result_.statistics.statistics[i].sigma;  // not a number: no two finite values
       if (!(result_.missed[i] > (std::isnan(sigma) ? 0.0 : kMissed * sigma))) continue;

@@ -8,6 +8,7 @@
 
 #include <cable_variation/math/seconds_since.h>
 #include <cable_variation/variation/chosen_indices.h>
+#include <cable_variation/variation/open_parts.h>
 #include <cable_variation/variation/tolerances.h>
 
 namespace cable_variation {
@@ -44,6 +45,10 @@ class Analysis {
 
   void differentiate(const SolvedScene& nominal, const MeasureEvaluator& evaluator) {
     result_.values = evaluator.evaluate(nominal, result_.measures);
+    for (std::string& warning :
+         openPartWarnings(scene_, evaluator.parts(), componentsMeasured(scene_, result_.measures))) {
+      result_.warnings.push_back(std::move(warning));
+    }
     const auto start = Clock::now();
     const std::vector<DesignRate> design =
         designRates(scene_, options_.values, options_.moved, result_.variables);
@@ -55,6 +60,7 @@ class Analysis {
     std::vector<double> eigenvalue_rates;
     for (std::size_t row = 0; row < result_.measures.size(); ++row) {
       result_.one_sided.push_back(measure(row).type == Measure::Type::similarity);
+      if (result_.values[row].undecided) warn(measure(row).name, ": ", result_.values[row].note);
       if (!result_.values[row].unique) {
         warn(measure(row).name, ": ",
              result_.values[row].note.empty() ? "another place has the same value" : result_.values[row].note,
