@@ -80,6 +80,10 @@ void checkTwist(const Harness& harness, const Equilibrium& answer, Judgement& ju
     }
     // what is well less than a turn off is the turn that was asked for; the rest is writhe
     if (std::abs(twist - *harness.cables[c].twist) < 1.5 * M_PI) continue;
+    const bool said = std::any_of(answer.notes.begin(), answer.notes.end(), [&](const std::string& note) {
+      return note.find("'" + harness.cables[c].name + "'") != std::string::npos;
+    });
+    if (said) continue;
     judgement.verdict = Verdict::twist_lost;
     judgement.text =
         textOf("twist ", twist, " instead of ", *harness.cables[c].twist, " rad, and nothing said so");

@@ -52,7 +52,6 @@ struct Path {
   double shift = 0.0, turn = 0.0;  // corrections, summed up
   double last_shift = INFINITY, last_turn = INFINITY;
   bool newton = false;  // the last step had a Hessian of its own
-  bool stable = false;
 };
 
 }  // namespace
@@ -107,6 +106,7 @@ struct BatchSolver::Lanes {
   void follow(const Plan& plan);
   bool arrive(std::size_t lane);
   void judgeStep(std::size_t lane, int step, const Plan& plan);
+  void judgeStability();
   void judgeGrid();
   double smallestEigenvalue(int lane);
 
@@ -146,8 +146,7 @@ void BatchSolver::solve(const Harness* harnesses, std::size_t count) {
     lanes_->system.takeStress();
     lanes_->follow(kThorough);
   }
-  // what is described is rounded alike, whichever way it came
-  if (lanes_->hessian) lanes_->system.evaluate(false);
+  lanes_->judgeStability();
   lanes_->judgeGrid();
 }
 
@@ -180,7 +179,6 @@ void BatchSolver::Lanes::follow(const Plan& plan) {
     system.evaluate(hessian);
     for (std::size_t i = 0; i < count; ++i) {
       if (!active[i]) continue;
-      if (hessian) paths[i].stable = system.negativePivots()[i] == 0;
       active[i] = !arrive(i);
       waiting[i] = active[i] && step > plan.steps && !plan.patient;
     }
@@ -188,9 +186,6 @@ void BatchSolver::Lanes::follow(const Plan& plan) {
     if (step <= plan.hessians && may_rest) {
       hessian = true;
       system.evaluate(true);
-      for (std::size_t i = 0; i < count; ++i) {
-        if (active[i]) paths[i].stable = system.negativePivots()[i] == 0;
-      }
     }
     system.step();
     system.move(active, step + 1 <= plan.hessians);
@@ -225,10 +220,8 @@ bool BatchSolver::Lanes::arrive(std::size_t lane) {
   const double largest = path.newton ? kFinalNewtonStep : kFinalStep;
   const bool final = path.last_shift < largest * nominal.length && path.last_turn < largest;
   if (!(outcome.residual <= (final ? kFinalResidual : 1.0) * nominal.tolerance)) return false;
-  if (!path.stable) {
-    outcome.status = BatchStatus::unstable;
-  } else if (path.shift > path.predicted_shift + kFreeShift * nominal.length ||
-             path.turn > path.predicted_turn + kFreeTurn) {
+  if (path.shift > path.predicted_shift + kFreeShift * nominal.length ||
+      path.turn > path.predicted_turn + kFreeTurn) {
     outcome.status = BatchStatus::departed;
   } else if (!(system.largestStretch(static_cast<int>(lane)) <= kLargestStretch)) {
     outcome.status = BatchStatus::overstretched;
@@ -236,6 +229,15 @@ bool BatchSolver::Lanes::arrive(std::size_t lane) {
     outcome.status = BatchStatus::converged;
   }
   return true;
+}
+
+// By the Hessian of the shapes that are described, with their own stresses.
+void BatchSolver::Lanes::judgeStability() {
+  system.takeStress();
+  system.evaluate(true);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (outcomes[i].converged() && system.negativePivots()[i] > 0) outcomes[i].status = BatchStatus::unstable;
+  }
 }
 
 void BatchSolver::Lanes::judgeGrid() {

@@ -23,9 +23,13 @@ DiscretisationError estimateDiscretisation(RodSystem& fine, RodSystem& coarse, c
   DiscretisationError error;
   // A slender rod's own section forces would be those of the little by which the grids' curves differ in
   // length.
-  fine.holdStress();
-  coarse.takeStress(fine);
-  coarse.evaluate(on_coarse, RodSystem::Hessian::predicted);
+  const bool slender = fine.slender();
+  const RodSystem::Hessian hessian = slender ? RodSystem::Hessian::predicted : RodSystem::Hessian::exact;
+  if (slender) {
+    fine.holdStress();
+    coarse.takeStress(fine);
+  }
+  coarse.evaluate(on_coarse, hessian);
   for (std::size_t i = 0; i < coarse.grid().size(); ++i) {
     error.contribution.emplace_back();
     for (std::size_t k = 0; k < coarse.elementCount(i); ++k) {
@@ -40,7 +44,7 @@ DiscretisationError estimateDiscretisation(RodSystem& fine, RodSystem& coarse, c
       error.centreline = std::numeric_limits<double>::infinity();
       return error;
     }
-    coarse.evaluate(on_coarse, RodSystem::Hessian::predicted);
+    coarse.evaluate(on_coarse, hessian);
   }
   NodalField force = coarse.gradient();
   force.scale(-1.0);

@@ -34,8 +34,22 @@ Pose interpolate(const SpanConfiguration& span, const std::vector<double>& bound
 
 }  // namespace
 
+namespace {
+
+// The length of a cable over the one at which its weight and its bending stiffness balance.
+double bendingLengths(const Harness& harness, std::size_t cable) {
+  const Section section = sectionAt(harness.cables[cable], 0.5 * harness.cables[cable].length);
+  const double weight = section.mass_per_length * harness.gravity.norm();
+  return harness.cables[cable].length * std::cbrt(weight / std::min(section.EI_y, section.EI_z));
+}
+
+}  // namespace
+
 Grid startGrid(const Harness& harness, const Topology& topology) {
   constexpr double kElementsPerCable = 4.0;
+  // A heavy soft cable bends within a few times the length at which weight and bending balance.
+  constexpr double kBendingLengths = 4.0;  // of an element
+  constexpr double kMostForWeight = 32.0;
   // Turns about a straight centreline do not move it, so its error would not ask for more elements; and a
   // preformed cable must be able to take its form.
   constexpr double kLargestTurn = 1.6;  // of an element [rad]: leaves 1e-5 of the torque
@@ -51,7 +65,9 @@ Grid startGrid(const Harness& harness, const Topology& topology) {
   }
   Grid grid;
   for (const Span& span : topology.spans) {
-    const double elements = std::max(kElementsPerCable, turns[span.cable] / kLargestTurn);
+    const double elements =
+        std::max({kElementsPerCable, turns[span.cable] / kLargestTurn,
+                  std::min(kMostForWeight, bendingLengths(harness, span.cable) / kBendingLengths)});
     const double length = topology.stations[span.right].arc_length - topology.stations[span.left].arc_length;
     const double share = length / harness.cables[span.cable].length;
     const int pairs = std::max(1, static_cast<int>(std::ceil(0.5 * elements * share - 1e-9)));

@@ -158,8 +158,8 @@ class LowestShape {
       const double twist = twistOf(pieces, c);
       if (std::abs(twist - *cable.twist) <= M_PI) continue;
       std::ostringstream text;
-      text << "cable '" << cable.name << "': of the twist of " << *cable.twist << " rad asked for, " << twist
-           << " rad are left; the rest has become loops or turned back";
+      text << "cable '" << cable.name << "': its twist is " << twist << " rad instead of the " << *cable.twist
+           << " rad asked for; the rest has become writhe: it winds about itself";
       result_.notes.push_back(text.str());
     }
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include <cable_variation/harness/smallest_eigenvalue.h>
 
@@ -25,7 +26,7 @@ constexpr double kFinalStep = 1e-6;
 // After a Newton step below this, the same factors serve for the next steps, each this much shorter at least.
 constexpr double kNear = 1e-2;
 constexpr double kContraction = 0.1;
-constexpr double kLeft = 1e-15;  // relative to length and in radians, as a Newton step of kFinalStep leaves
+constexpr double kLeft = 1e-14;  // relative to length and in radians, as a Newton step of kFinalStep leaves
 
 struct StepSize {
   double shift = 0.0;  // [m]
@@ -131,9 +132,9 @@ class Descent {
 
   // The step against the gradient, with the factors at hand.
   StepSize findStep() {
-    NodalField force = system_.gradient();
-    force.scale(-1.0);
-    system_.solve(force, step_);
+    force_ = system_.gradient();
+    force_.scale(-1.0);
+    system_.solve(force_, step_);
     ++result_.iterations;
     return sizeOf(step_);
   }
@@ -166,26 +167,27 @@ class Descent {
     const double before = system_.energy().total();
     const double slope = system_.gradient().dot(step_);
     system_.predictStress(step_);
-    Configuration trial = configuration_;
-    const double work = system_.move(step_, trial);
-    if (!system_.arcLengthsInOrder(trial)) {
+    trial_ = configuration_;
+    const double work = system_.move(step_, trial_);
+    if (!system_.arcLengthsInOrder(trial_)) {
       raiseShift();
       return false;
     }
     const bool near =
         shift_ == neutral_ && size.turn < kNear && size.shift < kNear * length_ && system_.keepsFactors();
-    system_.evaluate(trial, near ? Hessian::none : Hessian::predicted);
+    system_.evaluate(trial_, near ? Hessian::none : Hessian::predicted);
     predicted_ = true;
     const double change = system_.energy().total() - before - work;
     if (!std::isfinite(change)) {
       raiseShift();
       return false;
     }
-    configuration_ = std::move(trial);
+    std::swap(configuration_, trial_);
     climbed_ += change;
     const double noise = 1e-13 * (std::abs(before) + system_.energy().elastic);
     if (climbed_ <= 1e-4 * slope + noise) {
-      lowest_ = {configuration_, system_.energy().total()};
+      lowest_.configuration = configuration_;
+      lowest_.energy = system_.energy().total();
       climbed_ = 0.0;
       steps_above_ = 0;
       lowerShift(limit, change / slope);
@@ -302,7 +304,8 @@ class Descent {
   bool predicted_ = false;
   double last_turn_ = INFINITY;  // of the last step [rad]
   std::vector<RodSystem::Metric> metric_;
-  NodalField step_;
+  NodalField force_, step_;
+  Configuration trial_;
   Minimum result_;
   double length_ = 0.0;
   double neutral_ = kNeutralShift;

@@ -90,6 +90,8 @@ double RodSystem::loadScale() const {
 bool RodSystem::soften(double slenderness, const Configuration& configuration) {
   // The loads stretch no span by more than one in this number.
   constexpr double kStifferThanLoads = 1e3;
+  // A span that is stiffer by less is left as it is.
+  constexpr double kWorthwhile = 3.0;
   // Of its length: with less slack than this a span's stretch decides whether it bows out.
   constexpr double kTaut = 1e-4;
   std::vector<bool> taut(topology_.stations.size(), false);  // the span to the right of the station
@@ -113,8 +115,9 @@ bool RodSystem::soften(double slenderness, const Configuration& configuration) {
       bending = std::max({bending, p.stiffness[4], p.stiffness[5]});
       stretching = std::max({stretching, p.stiffness[0], p.stiffness[1], p.stiffness[2]});
     }
-    const double limit =
-        taut[span.left] ? INFINITY : std::max(slenderness * bending / (length * length), least);
+    const double softened = std::max(slenderness * bending / (length * length), least);
+    const bool as_it_is = taut[span.left] || stretching < kWorthwhile * softened;
+    const double limit = as_it_is ? INFINITY : softened;
     softer = softer || stretching > limit;
     if (limit == spans_[i].stretch_limit) continue;
     spans_[i].stretch_limit = limit;

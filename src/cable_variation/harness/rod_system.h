@@ -57,9 +57,9 @@ class RodSystem {
   /// Those that `other`, the same harness on another grid, holds.
   void takeStress(const RodSystem& other);
 
-  /// Stretch and shear no stiffer than leaves each span a slenderness EA ℓ²/EI of `slenderness`, unless the
-  /// loads would stretch it noticeably then, or its clips hold it taut at `configuration`. Infinite: as the
-  /// cables are. Returns whether this makes any span softer than its cable is.
+  /// Stretch and shear no stiffer than leaves each span a slenderness EA ℓ²/EI of `slenderness`, unless it
+  /// is not far from that, the loads would stretch it noticeably then, or its clips hold it taut at
+  /// `configuration`. Infinite: as the cables are. Returns whether this makes any span softer than its cable is.
   bool soften(double slenderness, const Configuration& configuration);
 
   /// Whether an arc length is unknown.
@@ -78,9 +78,11 @@ class RodSystem {
   double residualNoise() const;
   /// The shift in the metric of bending that is as large as the rounding of the Hessian.
   double stiffnessNoise() const;
+  /// Whether a span is so slender that small errors of its shape, or a small turn, change its stiffness.
+  bool slender() const;
   /// Whether the factors stay valid for solve() after an evaluation without Hessian, and steps with them come
-  /// closer to rest: not where a cable slides or is so slender that a small turn changes its stiffness.
-  bool keepsFactors() const;
+  /// closer to rest.
+  bool keepsFactors() const { return !has_slides_ && !slender(); }
 
   /// A diagonal metric of motions.
   struct Metric {

@@ -166,11 +166,10 @@ double RodSystem::stiffnessNoise() const {
   return noise;
 }
 
-bool RodSystem::keepsFactors() const {
+bool RodSystem::slender() const {
   constexpr double kSlender = 1e3;  // length over the radius of gyration
-  return !has_slides_ && std::all_of(spans_.begin(), spans_.end(), [&](const SpanData& data) {
-    return data.length() < kSlender * data.gyration;
-  });
+  return std::any_of(spans_.begin(), spans_.end(),
+                     [&](const SpanData& data) { return data.length() > kSlender * data.gyration; });
 }
 
 }  // namespace cable_variation
