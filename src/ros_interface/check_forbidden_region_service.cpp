@@ -177,6 +177,7 @@ CheckForbiddenRegionService::Response CheckForbiddenRegionService::check(const R
   response.cables.assign(cables.begin(), cables.end());
   response.pieces = static_cast<std::uint32_t>(region.pieces.size());
   response.inflation = region.inflation;
+  response.probability = region.probability;
   interference_.showRegion(std::move(view));
   showing_ = true;
   return response;

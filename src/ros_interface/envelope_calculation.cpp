@@ -9,6 +9,7 @@
 #include <cable_variation/geometry/mesh_volume.h>
 #include <cable_variation/geometry/outer_surface.h>
 #include <cable_variation/scene/quantity.h>
+#include <cable_variation/variation/closest_solved.h>
 #include <cable_variation/variation/envelope_clearance.h>
 #include <cable_variation/variation/envelope_memory.h>
 #include <ros_interface/clearance_markers.h>
@@ -51,13 +52,13 @@ class Stopwatch {
 };
 
 Envelope generate(const EnvelopeTask& task, const Scene& scene, const EquilibriumSolver& solver,
-                  RunControl& control) {
+                  cable_variation::ClosestSolved& closest, RunControl& control) {
   const auto observe = [&](const cable_variation::EnvelopeProgress& progress) {
     control.report({progress.stage, kEnvelopeShare * progress.share, progress.solves, progress.time});
     return !control.cancelled();
   };
   try {
-    return generateEnvelope(scene, task.options, solver, observe);
+    return generateEnvelope(scene, task.options, solver, observe, closest.witness());
   } catch (const std::runtime_error& error) {
     throw RequestError(Status::NOT_CONVERGED, error.what());
   }
@@ -140,16 +141,17 @@ EnvelopeOutcome calculateEnvelope(const EnvelopeTask& task, const SolverContext:
   const Scene& scene = snapshot.design.scene;
   refuseFinerMeshThanMemory(task, scene);
   const EquilibriumSolver solver = solverAt(snapshot, task.options, task.other_design);
-  const Envelope envelope = generate(task, scene, solver, control);
+  cable_variation::ClearanceOptions clearance_options;
+  clearance_options.skip_near_clips = task.skip_near_clips;
+  clearance_options.check = [&control] { control.throwIfCancelled(); };
+  cable_variation::ClosestSolved closest(scene, task.options, snapshot.parts, solver, clearance_options);
+  const Envelope envelope = generate(task, scene, solver, closest, control);
   const std::size_t solves = envelope.solves;
 
   Stopwatch watch;
   control.report({"clearances", kEnvelopeShare, solves, 0.0});
-  cable_variation::ClearanceOptions clearance_options;
-  clearance_options.skip_near_clips = task.skip_near_clips;
-  clearance_options.check = [&control] { control.throwIfCancelled(); };
   const std::vector<EnvelopeClearance> found =
-      clearances(scene, envelope, task.options, snapshot.parts, solver, clearance_options);
+      clearances(scene, envelope, task.options, snapshot.parts, solver, clearance_options, &closest);
   const double clearance_time = watch.lap();
   control.throwIfCancelled();
 
@@ -196,6 +198,7 @@ EnvelopeOutcome calculateEnvelope(const EnvelopeTask& task, const SolverContext:
   }
   view.mesh.header = response.header;
   view.mesh.cables = response.cables;
+  view.mesh.probability = response.probability;
   view.mesh.excess = response.surface_excess;
   view.mesh.mesh = response.mesh;
   view.interference = interferenceOf(task, scene, found);

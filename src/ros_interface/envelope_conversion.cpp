@@ -65,6 +65,8 @@ cable_variation::ContainmentResult toResult(const Scene& scene,
   cable_variation::ContainmentResult result;
   result.shapes = static_cast<std::uint32_t>(containment.shapes);
   result.outside = static_cast<std::uint32_t>(containment.outside);
+  result.outside_bound = containment.outside_bound;
+  result.largest_excess = containment.largest_excess;
   result.largest_protrusion = containment.largest_protrusion;
   result.failed = static_cast<std::uint32_t>(containment.failed);
   if (containment.largest_protrusion > 0.0) {
@@ -99,11 +101,14 @@ cable_variation::SnapInfo toInfo(const Scene& scene, const cable_variation::Snap
   cable_variation::SnapInfo info;
   info.before = listed(snap.before);
   info.after = listed(snap.after);
+  info.begins = snap.begins;
   info.time = snap.time;
   info.branch = static_cast<std::uint32_t>(snap.branch);
   info.cable = scene.harness.cables[snap.cable].name;
   info.arc_length = snap.arc_length;
   info.jump = snap.jump;
+  info.share = snap.share;
+  info.share_bound = snap.share_bound;
   return info;
 }
 
@@ -142,6 +147,7 @@ GenerateEnvelopeResponse toResponse(const Scene& scene, const Envelope& envelope
   }
   response.containment = toResult(scene, envelope.containment);
   response.tightness = toResult(envelope.tightness);
+  response.probability = envelope.probability;
   response.inflation = envelope.inflation;
   for (const cable_variation::EnvelopePhase& phase : envelope.phases)
     response.phases.push_back(toInfo(phase));

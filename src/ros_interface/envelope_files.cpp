@@ -20,10 +20,12 @@ EnvelopeFiles envelopeFiles(const OutputDirectory& output, const std::string& na
   const std::filesystem::path folder = std::filesystem::path(files.urdf).parent_path();
   cable_variation::EnvelopeUrdfOptions options;
   options.name = name;
+  options.probability = envelope.probability;
   options.folder = cable_variation::fileUrl(folder.string());
   const cable_variation::EnvelopeUrdf urdf = envelopeUrdf(envelope.frames.front(), surface.mesh, options);
-  files.mesh_contents = {
-      {files.mesh, cable_variation::binaryStl(surface.mesh, "tolerance envelope " + name)}};
+  std::string title = "tolerance envelope " + name;
+  if (envelope.probability > 0.0) title += ", a share of " + std::to_string(envelope.probability);
+  files.mesh_contents = {{files.mesh, cable_variation::binaryStl(surface.mesh, title)}};
   files.region_contents = {{files.region, regionText(forbiddenRegion(scene, envelope))}};
   for (const auto& mesh : urdf.meshes) files.urdf_contents.emplace_back(folder / mesh.name, mesh.contents);
   files.rounding = cable_variation::stlRounding(surface.mesh);

@@ -46,6 +46,16 @@ std::vector<std::size_t> variablesOf(const GenerateEnvelopeRequest& request, con
   return {};
 }
 
+double probabilityOf(const GenerateEnvelopeRequest& request) {
+  const double probability = request.probability;
+  if (probability == 0.0) return 0.0;
+  if (!(probability > 0.0 && probability < 1.0))
+    refuse("probability", probability, "above 0 and below 1, as 0.9973, or 0: all that the tolerances allow");
+  if (!request.motions.empty()) refuse("probability", probability, "0 over motions");
+  if (request.non_conservative) refuse("probability", probability, "0 with non_conservative");
+  return probability;
+}
+
 }  // namespace
 
 EnvelopeTask toEnvelopeTask(const GenerateEnvelopeRequest& request, const cable_variation::Design& design,
@@ -69,9 +79,11 @@ EnvelopeTask toEnvelopeTask(const GenerateEnvelopeRequest& request, const cable_
   options.values.insert(design.shifted.begin(), design.shifted.end());
   if (options.motions.empty()) options.moved = moved;
   options.frames = clearanceFrames(scene, options);
+  options.probability = probabilityOf(request);
   options.margin = lengthOr(defaults.margin, request.margin, "margin");
   options.conservative = !request.non_conservative;
-  options.verification = shapesOr(defaults.verification, request.verification_shapes, "verification_shapes");
+  options.verification = shapesOr(options.probability > 0.0 ? 0 : defaults.verification,
+                                  request.verification_shapes, "verification_shapes");
   options.tightness = shapesOr(0, request.tightness_shapes, "tightness_shapes");
   options.voxel = lengthOr(0.0, request.tightness_voxel, "tightness_voxel");
   options.seed = request.seed == 0 ? defaults.seed : request.seed;

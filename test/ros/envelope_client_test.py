@@ -38,6 +38,13 @@ class EnvelopeClientTest(NodeTest):
         self.assertRegex(result.stdout, r'strand - shelf +-\d.* MEETS')
         self.assertRegex(result.stdout, r'strand - shelf is closest with .*b_z [+-][\d.]+ mm')
 
+    def test_tells_which_share_of_production_it_holds(self):
+        result = self.run_client('--probability', '0.95')
+        self.assertEqual((result.returncode, result.stderr), (0, ''))
+        self.assertLessEqual(max(len(line) for line in result.stdout.splitlines()), 100)
+        self.assertIn('95 % of production', result.stdout)
+        self.assertRegex(result.stdout, r'production +9[5-9][.\d]* % +held of \d+ fresh samples; 9[5-9][.\d]* % at least')
+
     def test_tells_when_over_a_motion(self):
         result = self.run_client('--motions', 'sway', '--motion-only', '--verification', '50')
         self.assertEqual((result.returncode, result.stderr), (0, ''))
@@ -47,7 +54,7 @@ class EnvelopeClientTest(NodeTest):
     def test_says_what_is_wrong_in_a_line(self):
         for arguments, part in ((('--variables', 'b_zz'), "'b_zz'"), (('--cables', 'rope'), "'rope'"),
                                 (('--motions', 'swing'), "'swing'"), (('--margin=-1mm',), '-0.001'),
-                                (('--set', 'b_y=1mm'), "'b_y'"), (('--name', '../out'), '../out')):
+                                (('--set', 'b_y=1mm'), "'b_y'"), (('--probability', '2'), 'probability: is 2'), (('--name', '../out'), '../out')):
             result = self.run_client(*arguments)
             self.assertEqual((result.returncode, result.stdout), (1, ''), arguments)
             self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)

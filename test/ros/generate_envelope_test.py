@@ -79,6 +79,7 @@ class GenerateEnvelopeTest(NodeTest):
         self.assertSuccess(answer.status)
         self.assertEqual((answer.cables, answer.variables), (['strand'], ['b_z', 'a_ry', 'floor_z']))
         self.assertEqual((answer.margin, answer.seed, answer.containment.shapes), (1e-4, 1, 2000))
+        self.assertAlmostEqual(answer.containment.outside_bound, 1 - 0.05 ** (1 / 2000), places=9)
         self.assertEqual((answer.containment.outside, answer.containment.failed, answer.failures), (0, 0, 0))
         self.assertGreaterEqual(answer.inflation, answer.containment.largest_protrusion)
         self.assertEqual(len(answer.phases), 1)
@@ -131,6 +132,40 @@ class GenerateEnvelopeTest(NodeTest):
         self.assertGreater(shelf.colliding_triangles, 0)
         self.assertFalse(shelf.has_limit)
 
+    def test_of_a_share_of_production(self):
+        answer = self.generate(variables=['*'], probability=0.95)
+        self.assertSuccess(answer.status)
+        self.assertEqual(answer.probability, 0.95)
+        found = answer.containment
+        self.assertGreaterEqual(found.shapes, 300)
+        self.assertLessEqual(found.outside_bound, 0.05)
+        self.assertGreater(found.outside_bound, found.outside / found.shapes)
+        self.assertEqual(self.latched('/cable_solver/envelope_mesh', EnvelopeMesh).probability, 0.95)
+        # Production comes less far than the tolerances allow.
+        worst = self.generate(variables=['*'])
+        self.assertEqual(worst.probability, 0)
+        self.assertLess(answer.volume, worst.volume)
+        for name in ('floor', 'shelf'):
+            here, there = (self.clearances(each)[name] for each in (answer, worst))
+            self.assertGreater(here.distance, there.distance)
+            self.assertLessEqual(here.distance, here.worst_sample)
+
+        # What the simulation draws, with a seed of its own, is in the mesh's box but for a twentieth.
+        random = numpy.random.RandomState(7)
+        sigma = numpy.array([0.005, numpy.radians(5)]) / 3
+        low, high = vertices(answer.mesh).min(axis=0), vertices(answer.mesh).max(axis=0)
+        held, drawn = 0, 60
+        for values in random.normal(size=(drawn, 2)) * sigma:
+            line = numpy.array([xyz(each) for each in self.shape(
+                variables=['b_z', 'a_ry'], values=list(values)).shapes[0].centreline])
+            held += (low <= line.min(axis=0) - RADIUS).all() and (high >= line.max(axis=0) + RADIUS).all()
+        self.assertGreaterEqual(held, 52)  # 57 of 60 on the average of a bare 95 %
+
+        client = self.client()
+        client.send_goal(GenerateEnvelopeGoal(variables=['*'], probability=0.95))
+        self.assertTrue(self.finished(client, 3 * self.TIMEOUT))
+        self.assertEqual(client.get_result().volume, answer.volume)
+
     def test_over_a_motion(self):
         answer = self.generate(variables=['floor_z'], motions=['sway'])
         self.assertSuccess(answer.status)
@@ -166,6 +201,14 @@ class GenerateEnvelopeTest(NodeTest):
                 (dict(), Status.INVALID_ARGUMENT, 'variables: is empty'),
                 (dict(variables=['b_z'], margin=nan), Status.INVALID_ARGUMENT, 'margin: is nan'),
                 (dict(variables=['b_z'], margin=-1e-4), Status.INVALID_ARGUMENT, 'margin: is -0.0001'),
+                (dict(variables=['b_z'], probability=1), Status.INVALID_ARGUMENT, 'probability: is 1'),
+                (dict(variables=['b_z'], probability=nan), Status.INVALID_ARGUMENT, 'probability: is nan'),
+                (dict(variables=['b_z'], probability=0.9, non_conservative=True), Status.INVALID_ARGUMENT,
+                 'probability: is 0.9'),
+                (dict(variables=['b_z'], probability=0.9, motions=['sway']), Status.INVALID_ARGUMENT,
+                 'probability: is 0.9'),
+                (dict(variables=['b_z'], probability=0.9973, verification_shapes=100), Status.INVALID_ARGUMENT,
+                 'verification: 100 shapes; expected at least 1191'),
                 (dict(variables=['b_z'], name='../x'), Status.INVALID_ARGUMENT, "'../x'"),
                 (dict(variables=['b_z'], motions=['sway'], from_time=3), Status.INVALID_ARGUMENT, 'from_time: is 3'),
                 (dict(variables=['b_z'], nominal_variables=['b_z']), Status.INVALID_ARGUMENT, '0 values'),

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <tuple>
 
@@ -120,6 +121,13 @@ void check(const EnvelopeFrame& frame, const EnvelopeUrdfOptions& options) {
   }
 }
 
+std::string heldBy(double probability) {
+  if (probability == 0.0) return "holds all that the tolerances allow";
+  std::ostringstream text;
+  text << "holds the whole shape of " << 100.0 * probability << " % of production";
+  return text.str();
+}
+
 }  // namespace
 
 EnvelopeUrdf envelopeUrdf(const EnvelopeFrame& frame, const TriangleMesh& outer_surface,
@@ -137,8 +145,8 @@ EnvelopeUrdf envelopeUrdf(const EnvelopeFrame& frame, const TriangleMesh& outer_
   const std::string name = escaped(options.name);
   const std::string surface_file = options.name + "_surface.stl";
   urdf.meshes.push_back({surface_file, binaryStl(outer_surface, title)});
-  urdf.text = "<?xml version=\"1.0\"?>\n<robot name=\"" + name + "\">\n  <link name=\"" + name +
-              "\">\n    <visual>\n      " + geometry(surface_file) +
+  urdf.text = "<?xml version=\"1.0\"?>\n<!-- " + heldBy(options.probability) + " -->\n<robot name=\"" + name +
+              "\">\n  <link name=\"" + name + "\">\n    <visual>\n      " + geometry(surface_file) +
               "\n      <material name=\"envelope\"><color rgba=\"0.3 0.6 0.9 0.4\"/></material>\n"
               "    </visual>\n";
   for (std::size_t i = 0; i < covers.size(); ++i) {

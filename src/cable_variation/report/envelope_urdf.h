@@ -10,6 +10,7 @@ namespace cable_variation {
 
 struct EnvelopeUrdfOptions {
   std::string name = "envelope";     ///< of the robot and its link, and how the names of its files begin
+  double probability = 0.0;          ///< share of production that it holds, told in a comment; 0: all
   std::string folder;                ///< address of the files' folder: package:// or file://
   std::size_t largest_pieces = 150;  ///< convex collision pieces; one per cable and branch at least
 };

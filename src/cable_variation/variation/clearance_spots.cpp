@@ -11,6 +11,7 @@
 #include <cable_variation/scene/deviations.h>
 #include <cable_variation/scene/moving_components.h>
 #include <cable_variation/variation/cable_view.h>
+#include <cable_variation/variation/clearance_skips.h>
 #include <cable_variation/variation/component_variation.h>
 #include <cable_variation/variation/joint_between.h>
 
@@ -154,46 +155,10 @@ const EnvelopeFrame* SpotFinder::frameOf(const std::string& name) const {
   return nullptr;
 }
 
-double SpotFinder::skippedNearClips(std::size_t cable, std::size_t component) const {
-  if (options_.skip_near_clips) return *options_.skip_near_clips;
-  std::optional<double> smallest;
-  for (const Measure& measure : scene_.measures) {
-    if (measure.type != Measure::Type::distance || measure.component != component) continue;
-    if (std::find(measure.cables.begin(), measure.cables.end(), cable) == measure.cables.end()) continue;
-    smallest = std::min(smallest.value_or(measure.skip_near_clips), measure.skip_near_clips);
-  }
-  return smallest.value_or(ClearanceOptions::kNearClips);
-}
-
-double SpotFinder::skippedNearJoints(std::size_t cable, std::size_t other) const {
-  if (options_.skip_near_joints) return *options_.skip_near_joints;
-  const auto has = [](const std::vector<std::size_t>& list, std::size_t index) {
-    return std::find(list.begin(), list.end(), index) != list.end();
-  };
-  std::optional<double> smallest;
-  for (const Measure& measure : scene_.measures) {
-    if (measure.type != Measure::Type::distance || measure.component) continue;
-    if (!(has(measure.cables, cable) && has(measure.other_cables, other)) &&
-        !(has(measure.cables, other) && has(measure.other_cables, cable))) {
-      continue;
-    }
-    smallest = std::min(smallest.value_or(measure.skip_near_joints), measure.skip_near_joints);
-  }
-  const auto& shapes = start_->equilibrium.shapes;
-  return smallest.value_or(4.0 * (shapes.at(cable).radius + shapes.at(other).radius));
-}
-
 // Around the clips of the cable on the component.
 std::vector<SkippedStretch> SpotFinder::skipped(const SolvedSample& at, std::size_t cable,
                                                 const std::string& component, double near) const {
-  std::vector<SkippedStretch> stretches;
-  if (!(near > 0.0)) return stretches;
-  for (std::size_t i = 0; i < at.harness.clips.size(); ++i) {
-    if (at.harness.clips[i].cable != cable || scene_.clip_mounts[i].component != component) continue;
-    const double held = at.equilibrium.clip_reactions[i].arc_length;
-    stretches.push_back({held - near, held + near});
-  }
-  return stretches;
+  return stretchesNearClips(scene_, at.harness, at.equilibrium, cable, component, near);
 }
 
 std::optional<Spot> SpotFinder::toComponent(std::size_t cable, std::size_t component) const {
@@ -204,7 +169,7 @@ std::optional<Spot> SpotFinder::toComponent(std::size_t cable, std::size_t compo
     throw std::invalid_argument("clearances: component '" + name + "' moves with '" + anchors_[component] +
                                 "', which the envelope is not seen from");
   }
-  const double near = skippedNearClips(cable, component);
+  const double near = skippedNearClips(scene_, options_, cable, component);
   const std::vector<SkippedStretch> stretches = skipped(*start_, cable, name, near);
   std::vector<const RoundedHull*> bodies;
   std::vector<const EnvelopePiece*> pieces;
@@ -242,7 +207,9 @@ std::optional<Spot> SpotFinder::toComponent(std::size_t cable, std::size_t compo
 }
 
 std::optional<Spot> SpotFinder::toCable(std::size_t cable, std::size_t other) const {
-  const double way = skippedNearJoints(cable, other);
+  const auto& shapes = start_->equilibrium.shapes;
+  const double way =
+      skippedNearJoints(scene_, options_, cable, other, shapes.at(cable).radius + shapes.at(other).radius);
   const auto joined = joinedAt(*start_, cable, other, way);
   std::optional<Spot> best;
   std::vector<double> phase_bounds;

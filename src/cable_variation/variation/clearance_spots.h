@@ -31,8 +31,6 @@ class SpotFinder {
 
  private:
   const EnvelopeFrame* frameOf(const std::string& name) const;
-  double skippedNearClips(std::size_t cable, std::size_t component) const;
-  double skippedNearJoints(std::size_t cable, std::size_t other) const;
   std::vector<SkippedStretch> skipped(const SolvedSample& at, std::size_t cable, const std::string& component,
                                       double near) const;
   std::optional<ClearanceSpot> toComponent(std::size_t cable, std::size_t component) const;

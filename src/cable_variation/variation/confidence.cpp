@@ -40,4 +40,11 @@ ConfidenceInterval shareInterval(std::uint64_t hits, std::uint64_t trials, doubl
   return interval;
 }
 
+double shareUpperBound(std::uint64_t hits, std::uint64_t trials, double confidence) {
+  if (hits >= trials) return 1.0;
+  const boost::math::beta_distribution<> beta(static_cast<double>(hits) + 1.0,
+                                              static_cast<double>(trials - hits));
+  return boost::math::quantile(beta, confidence);
+}
+
 }  // namespace cable_variation

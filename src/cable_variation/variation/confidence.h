@@ -26,6 +26,10 @@ ConfidenceInterval sigmaInterval(double sigma, double log_standard_error, double
 /// Of a share, observed `hits` times in `trials` > 0 (Clopper and Pearson 1934): never too narrow.
 ConfidenceInterval shareInterval(std::uint64_t hits, std::uint64_t trials, double confidence);
 
+/// Upper bound of a share, observed `hits` times in `trials`: the true share is no larger, with that
+/// confidence at least (Clopper and Pearson, one-sided; about 3/n for no hit in n at 95 %). 1 without trials.
+double shareUpperBound(std::uint64_t hits, std::uint64_t trials, double confidence);
+
 /// Standard normal: within ± this lies a share `confidence`.
 double normalReach(double confidence);
 

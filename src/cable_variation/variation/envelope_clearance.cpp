@@ -8,11 +8,16 @@
 
 #include <cable_variation/geometry/nearest_place.h>
 #include <cable_variation/math/thread_limit.h>
+#include <cable_variation/scene/deviations.h>
 #include <cable_variation/scene/moving_components.h>
 #include <cable_variation/variation/cable_view.h>
 #include <cable_variation/variation/clearance_samples.h>
 #include <cable_variation/variation/clearance_spots.h>
+<<<<<<< HEAD
 #include <cable_variation/variation/open_parts.h>
+=======
+#include <cable_variation/variation/closest_solved.h>
+>>>>>>> 5b8e073 (Envelopes of a share of production; containment is told of shapes drawn after the envelope is finished)
 #include <cable_variation/variation/pair_search.h>
 #include <cable_variation/variation/sample_follower.h>
 
@@ -72,7 +77,8 @@ void judgeTogether(ClearanceSpot& spot, const ToleranceSpace& tolerances, const 
 
 // What samples solved again tell of the spot.
 void complete(ClearanceSpot& spot, const ToleranceSpace& tolerances, const EnvelopeOptions& options,
-              const ClearanceOptions& clearance_options, SampleShapes& shapes) {
+              const ClearanceOptions& clearance_options, SampleShapes& shapes,
+              std::optional<SampleDistance> closest) {
   EnvelopeClearance& clearance = spot.clearance;
   const EnvelopeSample& nearest = shapes.envelope().samples[spot.samples.front()];
   const auto solved = shapes.sample(spot.samples.front());
@@ -97,9 +103,16 @@ void complete(ClearanceSpot& spot, const ToleranceSpace& tolerances, const Envel
     const auto found = distanceOf(shapes, sample, spot.exact);
     if (found && (!worst || found->pair.distance < worst->pair.distance)) worst = found;
   }
+  if (closest && (!worst || closest->pair.distance < worst->pair.distance)) worst = std::move(closest);
   clearance.between_bodies = clearance.distance;
+<<<<<<< HEAD
   if (clearance.other) judgeTogether(spot, tolerances, options, clearance_options, shapes, worst);
   if (worst && worst->pair.side == ClosestPair::Side::undecided) clearance.undecided = true;
+=======
+  // harnesses at their worst together are not what a share of production is
+  if (clearance.other && shapes.envelope().probability == 0.0)
+    judgeTogether(spot, tolerances, options, clearance_options, shapes, worst);
+>>>>>>> 5b8e073 (Envelopes of a share of production; containment is told of shapes drawn after the envelope is finished)
   clearance.worst_sample = worst ? worst->pair.distance : std::numeric_limits<double>::infinity();
   if (!worst) return;
   const bool together = clearance.kind == EnvelopeClearance::Kind::together;
@@ -133,7 +146,8 @@ std::vector<std::string> openPartWarnings(const std::vector<EnvelopeClearance>& 
 std::vector<EnvelopeClearance> clearances(const Scene& scene, const Envelope& envelope,
                                           const EnvelopeOptions& options, const ComponentParts& parts,
                                           const SampleSolver& solve,
-                                          const ClearanceOptions& clearance_options) {
+                                          const ClearanceOptions& clearance_options,
+                                          const ClosestSolved* closest) {
   std::vector<EnvelopeClearance> result;
   withThreads(options.threads, [&] {
     ComponentParts all;
@@ -151,7 +165,13 @@ std::vector<EnvelopeClearance> clearances(const Scene& scene, const Envelope& en
     result.resize(spots.size());
     tbb::parallel_for(std::size_t{0}, spots.size(), [&](std::size_t i) {
       if (clearance_options.check) clearance_options.check();
-      complete(spots[i], tolerances, options, clearance_options, shapes);
+      const EnvelopeClearance& of = spots[i].clearance;
+      std::optional<SampleDistance> known;
+      if (closest != nullptr) {
+        known = of.other ? closest->toCable(of.cable, *of.other)
+                         : closest->toComponent(of.cable, componentIndex(scene, of.component));
+      }
+      complete(spots[i], tolerances, options, clearance_options, shapes, std::move(known));
       result[i] = std::move(spots[i].clearance);
     });
   });
@@ -161,10 +181,11 @@ std::vector<EnvelopeClearance> clearances(const Scene& scene, const Envelope& en
 std::vector<EnvelopeClearance> clearances(const Scene& scene, const Envelope& envelope,
                                           const EnvelopeOptions& options, const ComponentParts& parts,
                                           const EquilibriumSolver& solver,
-                                          const ClearanceOptions& clearance_options) {
+                                          const ClearanceOptions& clearance_options,
+                                          const ClosestSolved* closest) {
   const SampleFollower follower(scene, options, envelope, solver);
   const SampleSolver solve = [&](const EnvelopeSample& sample) { return follower.solve(sample); };
-  return clearances(scene, envelope, options, parts, solve, clearance_options);
+  return clearances(scene, envelope, options, parts, solve, clearance_options, closest);
 }
 
 }  // namespace cable_variation

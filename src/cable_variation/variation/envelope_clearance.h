@@ -28,8 +28,9 @@ struct EnvelopeClearance {
   Eigen::VectorXd deviations;             ///< of that sample
   double nominal = 0.0;       ///< distance of the nominal cable, over the motion [m]; negative: overlap
   double nominal_time = 0.0;  ///< [s]
-  double worst_sample = 0.0;  ///< smallest exact distance among harnesses solved within the tolerances [m]:
-                              ///< what surely can happen; `distance` bounds what can
+  double worst_sample = 0.0;  ///< smallest exact distance among all harnesses solved that the envelope is to
+                              ///< hold, see ClosestSolved [m]: what surely can happen; `distance` bounds what
+                              ///< can
   /// What `distance` is a figure of.
   enum class Kind {
     bodies,   ///< between convex bodies that hold all shapes, each at any time of a phase: a bound
@@ -61,10 +62,14 @@ struct ClearanceOptions {
 /// EnvelopeOptions::frames: those that a motion or a variable moves, one of those that move together.
 std::vector<std::string> clearanceFrames(const Scene& scene, const EnvelopeOptions& options);
 
+<<<<<<< HEAD
 /// What to know of a clearance; empty: nothing.
 std::string noteOf(const EnvelopeClearance& clearance);
 /// One sentence for each component that is open.
 std::vector<std::string> openPartWarnings(const std::vector<EnvelopeClearance>& clearances);
+=======
+class ClosestSolved;
+>>>>>>> 5b8e073 (Envelopes of a share of production; containment is told of shapes drawn after the envelope is finished)
 
 /// Solves the scene again for a sample of the envelope.
 using SampleSolver = std::function<SolvedSample(const EnvelopeSample&)>;
@@ -75,15 +80,18 @@ using SampleSolver = std::function<SolvedSample(const EnvelopeSample&)>;
 /// sections near joints are left out to the millimetre, by the way through the joint.
 /// @param options as the envelope was made with @param parts prepared before; the rest is prepared
 /// @param solver the design's shape to follow
-/// Throws std::invalid_argument: a component moves that the envelope is not seen from, skipped lengths that
-/// are no lengths; std::runtime_error: no equilibrium of the design.
+/// @param closest what was solved while the envelope was made; null: only samples near the closest places
+/// count Throws std::invalid_argument: a component moves that the envelope is not seen from, skipped lengths
+/// that are no lengths; std::runtime_error: no equilibrium of the design.
 std::vector<EnvelopeClearance> clearances(const Scene& scene, const Envelope& envelope,
                                           const EnvelopeOptions& options, const ComponentParts& parts,
                                           const EquilibriumSolver& solver,
-                                          const ClearanceOptions& clearance_options = {});
+                                          const ClearanceOptions& clearance_options = {},
+                                          const ClosestSolved* closest = nullptr);
 std::vector<EnvelopeClearance> clearances(const Scene& scene, const Envelope& envelope,
                                           const EnvelopeOptions& options, const ComponentParts& parts,
                                           const SampleSolver& solve,
-                                          const ClearanceOptions& clearance_options = {});
+                                          const ClearanceOptions& clearance_options = {},
+                                          const ClosestSolved* closest = nullptr);
 
 }  // namespace cable_variation

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <map>
 #include <mutex>
 #include <sstream>
 #include <stdexcept>
@@ -12,6 +13,7 @@
 #include <cable_variation/math/seconds_since.h>
 #include <cable_variation/math/thread_limit.h>
 #include <cable_variation/variation/chosen_indices.h>
+#include <cable_variation/variation/confidence.h>
 #include <cable_variation/variation/envelope_assembly.h>
 #include <cable_variation/variation/envelope_memory.h>
 #include <cable_variation/variation/envelope_tightness.h>
@@ -19,14 +21,17 @@
 #include <cable_variation/variation/envelope_warning.h>
 #include <cable_variation/variation/motion_phases.h>
 #include <cable_variation/variation/phase_search.h>
+#include <cable_variation/variation/random_place.h>
+#include <cable_variation/variation/statistical_envelope.h>
 
 namespace cable_variation {
 namespace {
 
 // A facet that would move out by less than this share of the margin is left.
 constexpr double kWorthwhile = 0.4;
-// Rounds of looking at random shapes and taking in those that stick out.
-constexpr int kRounds = 6;
+// Rounds of looking at random shapes and taking in those that stick out, and the most of each.
+constexpr int kRounds = 8;
+constexpr std::size_t kLookedAt = 2000;
 // Random shapes that stick out by more than this share of the margin are taken in; in phases that leave more
 // than worthwhile gains, by so much more.
 constexpr double kTakenIn = 0.5;
@@ -44,8 +49,13 @@ constexpr std::size_t kPatience = 20000, kMostPatience = 150, kLeastPatience = 2
 constexpr std::size_t kFewPhases = 64;
 // A section turns as much as a clip near it, and the cable moves aside by that turn times some of its length.
 constexpr double kLever = 0.25;
-// Tell the random numbers of both kinds of shapes apart, and from those of a PointSet.
+constexpr double kConfidence = 0.95;
+// The first search leaves some of the solves to those that start from random shapes.
+constexpr double kFirstSearch = 0.6;
+// Tell the random numbers of all kinds of shapes apart, and from those of a PointSet.
 constexpr std::uint32_t kContainmentStream = 3, kTightnessStream = 4;
+// Tells production drawn for an envelope from that of a simulation with the same seed.
+constexpr std::uint64_t kProduction = 0x9e3779b97f4a7c15;
 
 void requirePositive(const char* name, double value, const char* unit) {
   if (value > 0.0 && std::isfinite(value)) return;
@@ -75,8 +85,12 @@ class Reporter {
 class Generator {
  public:
   Generator(const Scene& scene, const EnvelopeOptions& options, const EquilibriumSolver& solver,
-            const EnvelopeObserver& observer)
-      : options_(checked(scene, options)), space_(scene, options_), solver_(solver), report_(observer) {
+            const EnvelopeObserver& observer, const SolvedWitness& witness)
+      : options_(checked(scene, options)),
+        space_(scene, options_),
+        solver_(solver),
+        report_(observer),
+        witness_(witness) {
     EquilibriumOptions of;
     of.accuracy = scene.accuracy;
     of.eigenvalue = false;
@@ -96,12 +110,20 @@ class Generator {
   Envelope run() {
     const auto start = Clock::now();
     prepare();
-    search();
-    envelope_.solve_time = secondsSince(start);
-    verify();
+    if (options_.probability > 0.0) {
+      holdProduction();
+    } else {
+      runSearches(allIndices(searches_.size()),
+                  static_cast<std::size_t>(kFirstSearch * static_cast<double>(options_.largest_solves)));
+      learn();
+      envelope_.solve_time = secondsSince(start);
+      verify();
+    }
     assemble();
     measureTightness();
-    envelope_.verify_time = secondsSince(start) - envelope_.solve_time;
+    const double all = secondsSince(start);
+    if (options_.probability > 0.0) envelope_.solve_time = all;
+    envelope_.verify_time = all - envelope_.solve_time;
     return std::move(envelope_);
   }
 
@@ -111,8 +133,20 @@ class Generator {
     requirePositive("memory_limit", options.memory_limit, " B");
     if (!(options.from >= 0.0) || !std::isfinite(options.from) || !std::isfinite(options.to))
       throw std::invalid_argument("from and to: expected times of at least 0 s");
-    if (options.conservative && options.verification == 0)
+    if (options.probability != 0.0) {
+      planFor(options.probability, options.verification, 1);  // refuses what is none
+      std::ostringstream text;
+      text << "probability: " << options.probability;
+      if (!options.motions.empty()) {
+        throw std::invalid_argument(text.str() +
+                                    " over motions; expected no motions, or 0: all that the "
+                                    "tolerances allow");
+      }
+      if (!options.conservative)
+        throw std::invalid_argument(text.str() + " without inflation; expected a conservative envelope");
+    } else if (options.conservative && options.verification == 0) {
       throw std::invalid_argument("verification: 0 shapes; expected at least 1 for a conservative envelope");
+    }
     options.cables = allOrChosen(options.cables, scene.harness.cables.size(), "cable");
     if (options.cables.empty()) throw std::invalid_argument("the scene has no cables");
     for (const std::string& frame : options.frames) componentPose(scene, frame);
@@ -143,10 +177,11 @@ class Generator {
     const PhaseRule rule{kStride * thinnest, kReach * thinnest, kBow * thinnest, kLever * longest,
                          memory_.mostPhases(options_.memory_limit)};
     phases_ = cutIntoPhases(space_, frames_, options_.from, end_, rule, &wanted_phases_);
+    followDesign();
   }
 
-  // The design's shape is followed from phase to phase, and each phase looked through by itself.
-  void search() {
+  // The design's shape is followed from phase to phase.
+  void followDesign() {
     searches_.reserve(phases_.size());
     EquilibriumSolver following = solver_;
     const StretchReader& reader = reader_;
@@ -164,8 +199,8 @@ class Generator {
       ShapeFollower follower(reader, following, harness, equilibrium, phase.reference);
       if (!searches_.empty()) noticeJump(searches_.back().follower(), follower);
       searches_.emplace_back(std::move(follower), phase.times, kWorthwhile * options_.margin);
+      if (options_.probability == 0.0) searches_.back().setWitness(witness_);
     }
-    run(allIndices(searches_.size()));
   }
 
   // Follows the design through some times between two references.
@@ -191,11 +226,12 @@ class Generator {
          " and ", after.referenceTime(), " s: it snaps or is lost on the way");
   }
 
-  void run(const std::vector<std::size_t>& which) {
+  // Each phase is looked through by itself.
+  void runSearches(const std::vector<std::size_t>& which, std::size_t largest_solves) {
     std::atomic<std::size_t> done{0}, solved{0};
     tbb::parallel_for(std::size_t{0}, which.size(), [&](std::size_t i) {
       PhaseSearch& search = searches_[which[i]];
-      search.run(options_.largest_solves, patience(), [&] {
+      search.run(largest_solves, patience(), [&] {
         report_({"shapes", 0.1 + 0.5 * static_cast<double>(done) / static_cast<double>(which.size()),
                  solved + search.solves(), search.follower().referenceTime()});
       });
@@ -217,106 +253,165 @@ class Generator {
     return std::clamp(kPatience / searches_.size(), kLeastPatience, kMostPatience);
   }
 
-  // Random shapes, apart from those looked at before; those that stick out are taken in, until a round of
-  // them finds none.
-  void verify() {
-    if (options_.verification == 0) return;
-    std::size_t drawn = 0;
-    for (int round = 0;; ++round) {
-      const std::vector<RandomShape> shapes = look(drawn, options_.verification);
-      drawn += options_.verification;
-      envelope_.containment = summary(shapes);
-      const bool well = std::all_of(shapes.begin(), shapes.end(), [&](const RandomShape& shape) {
-        return !shape.converged || shape.protrusion <= allowed(shape.phase);
-      });
-      if (well) return;
+  // Random shapes that stick out are taken in, until a round of others finds none. Where shapes are few, and
+  // random ones hardly ever come, others like them are looked at too. Then the inflation is fixed.
+  void learn() {
+    double most = 0.0;
+    LearningPlaces places{
+        space_, options_.from, end_, options_.seed, std::min(options_.verification, kLookedAt), {}};
+    for (int round = 0; options_.verification > 0; ++round) {
+      const std::vector<RandomShape> shapes = look(places.ofRound(round), round);
+      most = 0.0;
+      for (const RandomShape& shape : shapes) {
+        if (shape.converged) most = std::max(most, shape.protrusion);
+      }
+      const bool well = std::all_of(shapes.begin(), shapes.end(),
+                                    [&](const RandomShape& shape) { return !sticksOut(shape); });
+      if (well) break;
       if (round == kRounds) {
-        warn(envelope_, "random shapes still stick out by ", 1e3 * envelope_.containment.largest_protrusion,
-             " mm after ", round, " rounds of taking them in");
-        return;
+        warn(envelope_, "random shapes still stick out by ", 1e3 * most, " mm after ", round,
+             " rounds of taking them in");
+        break;
       }
       takeIn(shapes);
+      places.rare = rarePlaces(shapes);
     }
+    // Facets may still move out by what was not worthwhile; random shapes have missed the worst place by
+    // some.
+    if (options_.conservative) envelope_.inflation = 2.0 * std::max(most, kWorthwhile * options_.margin);
   }
 
-  std::vector<RandomShape> look(std::size_t first, std::size_t count) {
-    const ContainmentCheck check(searches_);
+  std::vector<SamplePlace> rarePlaces(const std::vector<RandomShape>& shapes) const {
+    std::vector<SamplePlace> rare;
+    for (const PhaseSearch& search : searches_) {
+      const std::vector<SamplePlace> own = search.rarePlaces();
+      rare.insert(rare.end(), own.begin(), own.end());
+    }
+    for (const RandomShape& shape : shapes) {
+      if (sticksOut(shape)) rare.push_back(shape.place);
+    }
+    return rare;
+  }
+
+  std::vector<RandomShape> look(const std::vector<SamplePlace>& places, int round) {
+    LookOptions looking;
+    looking.witness = witness_;
+    looking.progress = [&](std::size_t done) {
+      const double share = static_cast<double>(done) / static_cast<double>(places.size());
+      // a round is a fifth of what is left; verification is the last one
+      const double left = 0.4 * std::pow(0.8, round);
+      report_({"containment", 0.5 + 0.4 - left * (1.0 - 0.2 * share), done, places.front().time});
+    };
+    return lookAt(searches_, places, looking);
+  }
+
+  // Fresh shapes, once: what they tell is true of the envelope as it is now. Those outside are taken in
+  // afterwards, which makes the share outside smaller yet.
+  void verify() {
+    if (options_.verification == 0) return;
     const CounterRandom random(options_.seed, kContainmentStream);
-    std::vector<RandomShape> shapes(count);
-    std::atomic<std::size_t> done{0};
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, 16), [&](const auto& range) {
-      for (std::size_t i = range.begin(); i != range.end(); ++i) {
-        shapes[i] = check.look(drawPlace(space_, options_.from, end_, random, first + i));
+    std::vector<SamplePlace> places;
+    places.reserve(options_.verification);
+    for (std::size_t i = 0; i < options_.verification; ++i)
+      places.push_back(drawPlace(space_, options_.from, end_, random, i));
+    const std::vector<RandomShape> shapes = look(places, kRounds);
+    envelope_.containment = containmentOf(shapes, stretches_, envelope_.inflation, false, kConfidence);
+    std::vector<bool> counted;  // for the share of the tolerances that lies beyond a snap
+    for (std::size_t i = 0; i < shapes.size(); ++i) counted.push_back(isDrawnEvenly(i));
+    if (options_.conservative && envelope_.containment.outside > 0) {
+      warn(envelope_, envelope_.containment.outside, " of ", shapes.size(),
+           " shapes drawn after the envelope was finished stick out of it by up to ",
+           1e3 * envelope_.containment.largest_excess, " mm; it has been made to hold these too");
+      std::vector<RandomShape> outside;
+      for (const RandomShape& shape : shapes) {
+        if (shape.converged && shape.protrusion > envelope_.inflation) outside.push_back(shape);
       }
-      done += range.size();
-      report_({"containment", 0.6 + 0.3 * static_cast<double>(done) / static_cast<double>(count), done,
-               shapes[range.begin()].place.time});
-    });
-    return shapes;
+      hold(outside);
+    }
+    countSnaps(shapes, counted);
   }
 
-  Containment summary(const std::vector<RandomShape>& shapes) const {
-    Containment containment;
-    containment.shapes = shapes.size();
-    double most = -std::numeric_limits<double>::infinity();
-    for (const RandomShape& shape : shapes) {
-      if (!shape.converged) {
-        ++containment.failed;
-        continue;
-      }
-      if (shape.protrusion <= most) continue;
-      most = shape.protrusion;
-      containment.largest_protrusion = std::max(0.0, shape.protrusion);
-      containment.deviations = shape.place.deviations;
-      containment.time = shape.place.time;
-      containment.cable = stretches_[shape.stretch].cable;
-      containment.arc_length = stretches_[shape.stretch].start;
+  void holdProduction() {
+    const StatisticalPlan plan = planFor(options_.probability, options_.verification, stretches_.size());
+    const Sampler sampler(space_.scene(), options_.variables, SamplerType::monte_carlo, plan.samples(),
+                          options_.seed ^ kProduction);
+    const StatisticalResult result =
+        holdShareOfProduction(searches_, sampler, plan, witness_, [&](double share, std::size_t done) {
+          report_({share < 0.4 ? "shapes" : "containment", 0.9 * share, done, options_.from});
+        });
+    envelope_.probability = plan.probability;
+    envelope_.inflation = result.inflation;
+    envelope_.containment = result.containment;
+    if (!result.shown) {
+      warn(envelope_, "that ", 100.0 * plan.probability, " % of production is held could not be shown in ",
+           result.looks, " looks at fresh shapes: up to ", 100.0 * result.containment.outside_bound,
+           " % may stick out");
     }
-    const double inflation = inflationFor(containment);
-    for (const RandomShape& shape : shapes) {
-      if (shape.converged && shape.protrusion > inflation + 1e-9) ++containment.outside;
-    }
-    return containment;
+    countSnaps(result.verified, std::vector<bool>(result.verified.size(), true));
   }
 
-  // Facets may still move out by what was not worthwhile; random shapes have missed the worst place by some.
-  double inflationFor(const Containment& containment) const {
-    if (!options_.conservative) return 0.0;
-    return 2.0 * std::max(containment.largest_protrusion, kWorthwhile * options_.margin);
+  // The share of random shapes that snapped, by branch of the envelope.
+  void countSnaps(const std::vector<RandomShape>& shapes, const std::vector<bool>& counted) {
+    const std::vector<std::vector<std::size_t>> numbers = branchNumbers(searches_);
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+      if (!counted[i] || !shapes[i].converged) continue;
+      ++counted_;
+      if (shapes[i].jump.size() == 0) continue;
+      const std::size_t branch = searches_[shapes[i].phase].branchAfter(shapes[i].jump);
+      if (branch < numbers[shapes[i].phase].size()) ++snapped_[numbers[shapes[i].phase][branch]];
+    }
   }
 
   // What a random shape may stick out of a phase without being taken in [m].
   double allowed(std::size_t phase) const { return kTakenIn / kWorthwhile * searches_[phase].tolerance(); }
 
-  void takeIn(const std::vector<RandomShape>& shapes) {
-    std::vector<const RandomShape*> outside;
-    for (const RandomShape& shape : shapes) {
-      if (shape.converged && shape.protrusion > allowed(shape.phase)) outside.push_back(&shape);
-    }
+  bool sticksOut(const RandomShape& shape) const {
+    return shape.converged && shape.protrusion > allowed(shape.phase);
+  }
+
+  // Shapes that stick out, solved again with their rates.
+  std::vector<std::size_t> hold(const std::vector<RandomShape>& outside) {
     std::vector<FollowedShape> solved(outside.size());
     tbb::parallel_for(std::size_t{0}, outside.size(), [&](std::size_t i) {
-      solved[i] = searches_[outside[i]->phase].follower().follow(outside[i]->place, true);
+      solved[i] = searches_[outside[i].phase].follower().follow(outside[i].place, true);
     });
     std::vector<std::size_t> changed;
     for (std::size_t i = 0; i < outside.size(); ++i) {
-      searches_[outside[i]->phase].add(solved[i]);
-      changed.push_back(outside[i]->phase);
+      searches_[outside[i].phase].add(solved[i]);
+      changed.push_back(outside[i].phase);
     }
     std::sort(changed.begin(), changed.end());
     changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
-    run(changed);
+    for (const std::size_t phase : changed) searches_[phase].rebuild();
+    return changed;
+  }
+
+  void takeIn(const std::vector<RandomShape>& shapes) {
+    std::vector<RandomShape> outside;
+    for (const RandomShape& shape : shapes) {
+      if (sticksOut(shape)) outside.push_back(shape);
+    }
+    runSearches(hold(outside), options_.largest_solves);
   }
 
   void assemble() {
     envelope_.cables = options_.cables;
     envelope_.variables = options_.variables;
-    envelope_.inflation = inflationFor(envelope_.containment);
     assembleEnvelope(searches_, options_.largest_solves, envelope_);
+    countBeyond();
     for (std::size_t i = 0; i < phases_.size(); ++i) {
       envelope_.phases[i].excess = phases_[i].excess;
       envelope_.motion_excess = std::max(envelope_.motion_excess, phases_[i].excess);
     }
     if (phases_.size() > 1) tellOfCoarsening();
+  }
+
+  void countBeyond() {
+    for (Snap& snap : envelope_.snaps) {
+      const std::size_t snapped = snapped_[snap.branch];
+      if (counted_ > 0) snap.share = static_cast<double>(snapped) / static_cast<double>(counted_);
+      snap.share_bound = shareUpperBound(snapped, counted_, kConfidence);
+    }
   }
 
   void tellOfCoarsening() {
@@ -339,13 +434,26 @@ class Generator {
     }
   }
 
-  // With shapes drawn apart from those for containment.
+  // With shapes drawn apart from those for containment; with a probability, those of production that are
+  // held.
   void measureTightness() {
     const CounterRandom random(options_.seed, kTightnessStream);
+    std::optional<ContainmentCheck> check;
+    std::optional<Sampler> production;
+    if (options_.probability > 0.0 && options_.tightness > 0) {
+      check.emplace(searches_);
+      production.emplace(space_.scene(), options_.variables, SamplerType::monte_carlo, options_.tightness,
+                         ~options_.seed ^ kProduction);
+    }
+    const ToleranceSpace& tolerances = space_.tolerances();
     const auto draw = [&](std::size_t index) -> std::optional<StretchShape> {
-      const SamplePlace place = drawPlace(space_, options_.from, end_, random, index);
-      FollowedShape followed = searches_[phaseAt(searches_, place.time)].follower().follow(place, false);
+      const SamplePlace place = production ? productionPlace(*production, index, options_.from)
+                                           : drawPlace(space_, options_.from, end_, random, index);
+      const std::size_t phase = phaseAt(searches_, place.time);
+      FollowedShape followed = searches_[phase].follower().follow(place, false);
       if (!followed.converged) return std::nullopt;
+      if (check && check->look(place, phase, followed).protrusion > envelope_.inflation) return std::nullopt;
+      if (!check) tellOf(followed, tolerances, witness_);
       return std::move(followed.shape);
     };
     envelope_.tightness = tightnessOf(
@@ -360,6 +468,7 @@ class Generator {
   SampleSpace space_;
   EquilibriumSolver solver_;
   Reporter report_;
+  const SolvedWitness& witness_;
   double end_ = 0.0;
   EnvelopeMemory memory_;
   std::vector<std::string> frames_;
@@ -368,15 +477,18 @@ class Generator {
   std::vector<MotionPhase> phases_;
   std::size_t wanted_phases_ = 1;
   std::vector<PhaseSearch> searches_;
+  std::size_t counted_ = 0;                     // random shapes that tell of shares, ...
+  std::map<std::size_t, std::size_t> snapped_;  // ... and how many snapped, per branch of the envelope
   Envelope envelope_;
 };
 
 }  // namespace
 
 Envelope generateEnvelope(const Scene& scene, const EnvelopeOptions& options, const EquilibriumSolver& solver,
-                          const EnvelopeObserver& observer) {
+                          const EnvelopeObserver& observer, const SolvedWitness& witness) {
   Envelope envelope;
-  withThreads(options.threads, [&] { envelope = Generator(scene, options, solver, observer).run(); });
+  withThreads(options.threads,
+              [&] { envelope = Generator(scene, options, solver, observer, witness).run(); });
   return envelope;
 }
 

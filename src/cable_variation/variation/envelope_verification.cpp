@@ -1,33 +1,20 @@
 #include <cable_variation/variation/envelope_verification.h>
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 
+#include <cable_variation/variation/confidence.h>
+
 namespace cable_variation {
-
-SamplePlace drawPlace(const SampleSpace& space, double from, double to, const CounterRandom& random,
-                      std::uint64_t index) {
-  RandomRow numbers(random, index);
-  SamplePlace place;
-  place.time = from + numbers.uniform() * (to - from);
-  place.deviations =
-      index % 2 == 0 ? space.tolerances().random(numbers) : space.tolerances().randomNearLimits(numbers);
-  return place;
-}
-
-std::size_t phaseAt(const std::vector<PhaseSearch>& phases, double time) {
-  const auto after = std::find_if(phases.begin(), phases.end(),
-                                  [&](const PhaseSearch& phase) { return time <= phase.times().back(); });
-  return after == phases.end() ? phases.size() - 1 : static_cast<std::size_t>(after - phases.begin());
-}
 
 ContainmentCheck::ContainmentCheck(const std::vector<PhaseSearch>& phases) : phases_(&phases) {
   pieces_.resize(phases.front().follower().reader().frames().size());
   for (const PhaseSearch& phase : phases) {
-    for (const PhaseSearch::Branch& branch : phase.branches()) {
-      for (std::size_t frame = 0; frame < branch.hulls.size(); ++frame) {
-        for (std::size_t i = 0; i < branch.hulls[frame].size(); ++i) {
-          const ConvexHull& hull = branch.hulls[frame][i].hull();
+    for (const PhaseSearch::Cluster& cluster : phase.clusters()) {
+      for (std::size_t frame = 0; frame < cluster.hulls.size(); ++frame) {
+        for (std::size_t i = 0; i < cluster.hulls[frame].size(); ++i) {
+          const ConvexHull& hull = cluster.hulls[frame][i].hull();
           Piece piece{&hull, hull.surface().vertices.front(), hull.surface().vertices.front(),
                       phase.radius()[i]};
           for (const Eigen::Vector3d& vertex : hull.surface().vertices) {
@@ -60,8 +47,8 @@ double ContainmentCheck::ownProtrusion(const PhaseSearch& phase, std::size_t fra
                                        const Eigen::Vector3d& point, double radius, double known) {
   const double extra = radius - phase.radius()[stretch];
   double least = std::numeric_limits<double>::infinity();
-  for (const PhaseSearch::Branch& branch : phase.branches()) {
-    const ConvexHull& hull = branch.hulls[frame][stretch].hull();
+  for (const PhaseSearch::Cluster& cluster : phase.clusters()) {
+    const ConvexHull& hull = cluster.hulls[frame][stretch].hull();
     const double height = hull.height(point);
     if (height + extra >= least) continue;
     least = std::min(least, extra + (height <= 0.0 ? height : hull.closest(point).distance));
@@ -70,14 +57,15 @@ double ContainmentCheck::ownProtrusion(const PhaseSearch& phase, std::size_t fra
   return least;
 }
 
-RandomShape ContainmentCheck::look(const SamplePlace& place) const {
+RandomShape ContainmentCheck::look(const SamplePlace& place, std::size_t phase_index,
+                                   const FollowedShape& followed) const {
   RandomShape random;
   random.place = place;
-  random.phase = phaseAt(*phases_, place.time);
-  const PhaseSearch& phase = (*phases_)[random.phase];
-  const FollowedShape followed = phase.follower().follow(place, false);
+  random.phase = phase_index;
   random.converged = followed.converged;
   if (!followed.converged) return random;
+  if (followed.jump) random.jump = followed.jump->motion();
+  const PhaseSearch& phase = (*phases_)[phase_index];
   random.protrusion = -std::numeric_limits<double>::infinity();
   const StretchShape& shape = followed.shape;
   for (std::size_t frame = 0; frame < pieces_.size(); ++frame) {
@@ -93,6 +81,54 @@ RandomShape ContainmentCheck::look(const SamplePlace& place) const {
     }
   }
   return random;
+}
+
+std::vector<RandomShape> lookAt(const std::vector<PhaseSearch>& phases,
+                                const std::vector<SamplePlace>& places, const LookOptions& options) {
+  const ContainmentCheck check(phases);
+  const ToleranceSpace& tolerances = phases.front().follower().reader().space().tolerances();
+  std::vector<RandomShape> shapes(places.size());
+  std::atomic<std::size_t> done{0};
+  solvePlaces(phases, places, [&](std::size_t index, std::size_t phase, const FollowedShape& followed) {
+    RandomShape& shape = shapes[index];
+    shape = check.look(places[index], phase, followed);
+    if (!options.only_held) {
+      tellOf(followed, tolerances, options.witness);
+    } else if (options.witness && shape.converged && shape.protrusion <= options.inflation) {
+      options.witness(shape.place, followed.harness, followed.equilibrium);
+    }
+    if (options.progress) options.progress(++done);
+  });
+  return shapes;
+}
+
+Containment containmentOf(const std::vector<RandomShape>& shapes,
+                          const std::vector<MaterialStretch>& stretches, double inflation,
+                          bool failures_outside, double confidence) {
+  constexpr double kNone = 1e-9;  // [m]
+  Containment containment;
+  containment.shapes = shapes.size();
+  double most = -std::numeric_limits<double>::infinity();
+  for (const RandomShape& shape : shapes) {
+    if (!shape.converged) {
+      ++containment.failed;
+      continue;
+    }
+    if (shape.protrusion > inflation + kNone) ++containment.outside;
+    if (shape.protrusion <= most) continue;
+    most = shape.protrusion;
+    containment.largest_protrusion = std::max(0.0, shape.protrusion);
+    containment.deviations = shape.place.deviations;
+    containment.time = shape.place.time;
+    containment.cable = stretches[shape.stretch].cable;
+    containment.arc_length = stretches[shape.stretch].start;
+  }
+  if (containment.outside > 0) containment.largest_excess = containment.largest_protrusion - inflation;
+  containment.outside_bound =
+      failures_outside
+          ? shareUpperBound(containment.outside + containment.failed, containment.shapes, confidence)
+          : shareUpperBound(containment.outside, containment.shapes - containment.failed, confidence);
+  return containment;
 }
 
 }  // namespace cable_variation

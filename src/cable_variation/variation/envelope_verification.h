@@ -1,10 +1,10 @@
 #pragma once
 
-#include <cstdint>
+#include <functional>
 #include <vector>
 
 #include <cable_variation/variation/envelope.h>
-#include <cable_variation/variation/phase_search.h>
+#include <cable_variation/variation/place_solver.h>
 
 namespace cable_variation {
 
@@ -15,23 +15,17 @@ struct RandomShape {
   SamplePlace place;
   double protrusion = 0.0;  ///< [m]; at most 0: it does not stick out
   std::size_t stretch = 0;  ///< where it sticks out most
+  Eigen::Matrix3Xd jump;    ///< FollowedShape::Jump::motion(), if it snapped; else empty
 };
 
-/// Draws shape number `index` of a sequence: a time evenly over the motion, and deviations evenly within the
-/// tolerances (even numbers) or spread over their limits (odd).
-SamplePlace drawPlace(const SampleSpace& space, double from, double to, const CounterRandom& random,
-                      std::uint64_t index);
-
-/// Index of the phase that a time of the motions [s] belongs to.
-std::size_t phaseAt(const std::vector<PhaseSearch>& phases, double time);
-
-/// Tells how far shapes stick out of the pieces that the searches have found.
+/// Tells how far shapes stick out of the pieces that the searches have found, before inflation.
 class ContainmentCheck {
  public:
   /// The searches must outlive it, unchanged.
   explicit ContainmentCheck(const std::vector<PhaseSearch>& phases);
 
-  RandomShape look(const SamplePlace& place) const;
+  /// @param place of the shape, and its phase
+  RandomShape look(const SamplePlace& place, std::size_t phase, const FollowedShape& followed) const;
 
  private:
   struct Piece {
@@ -46,5 +40,23 @@ class ContainmentCheck {
   const std::vector<PhaseSearch>* phases_;
   std::vector<std::vector<Piece>> pieces_;  // per frame
 };
+
+struct LookOptions {
+  SolvedWitness witness;                      ///< told of shapes that the envelope is to hold: of all, ...
+  bool only_held = false;                     ///< ... or of those that stick out by no more than ...
+  double inflation = 0.0;                     ///< ... this [m]
+  std::function<void(std::size_t)> progress;  ///< told how many are done, by any thread; may throw
+};
+
+/// Solves places and looks how far their shapes stick out, in parallel.
+std::vector<RandomShape> lookAt(const std::vector<PhaseSearch>& phases,
+                                const std::vector<SamplePlace>& places, const LookOptions& options);
+
+/// What the shapes tell of pieces that are rounded by an inflation [m].
+/// @param failures_outside whether those without an equilibrium count as outside
+/// @param confidence of the bound, one-sided
+Containment containmentOf(const std::vector<RandomShape>& shapes,
+                          const std::vector<MaterialStretch>& stretches, double inflation,
+                          bool failures_outside, double confidence);
 
 }  // namespace cable_variation

@@ -17,6 +17,7 @@ ForbiddenRegion forbiddenRegion(const Scene& scene, const Envelope& envelope, co
   ForbiddenRegion region;
   region.frame = frame;
   region.inflation = envelope.inflation;
+  region.probability = envelope.probability;
   region.shapes = envelope.containment.shapes;
   region.protrusion = envelope.containment.largest_protrusion;
   region.pieces.reserve(seen->pieces.size());

@@ -21,6 +21,7 @@ struct ForbiddenRegion {
   };
   std::string frame = "world";  ///< that the vertices are in: the world or a component
   double inflation = 0.0;       ///< in every radius [m]
+  double probability = 0.0;     ///< share of production that the envelope holds; 0: all within the tolerances
   std::size_t shapes = 0;       ///< independent random shapes that the envelope was verified with
   double protrusion = 0.0;      ///< the most that one of them stuck out before inflation [m]
   std::vector<Piece> pieces;

@@ -95,6 +95,7 @@ class Reader {
     if (in_piece_ || !(words >> key)) return;
     if (key == "frame") region_.frame = decoded(word(words, "the frame"));
     if (key == "inflation") region_.inflation = number(word(words, "a length"), "inflation");
+    if (key == "probability") region_.probability = number(word(words, "a share"), "probability");
     if (key == "protrusion") region_.protrusion = number(word(words, "a length"), "protrusion");
     if (key == "shapes") region_.shapes = count(word(words, "a number"), "shapes");
     if (key == "pieces") announced_ = count(word(words, "a number"), "pieces");
@@ -220,6 +221,7 @@ std::string regionText(const ForbiddenRegion& region) {
        << "# All within its radius r of an object is forbidden. Lengths in metres, times in seconds.\n"
        << "# frame " << encoded(region.frame) << '\n'
        << "# inflation " << exact(region.inflation) << '\n'
+       << "# probability " << exact(region.probability) << '\n'
        << "# shapes " << region.shapes << '\n'
        << "# protrusion " << exact(region.protrusion) << '\n'
        << "# pieces " << region.pieces.size() << '\n';

@@ -8,6 +8,7 @@
 #include <cable_variation/variation/envelope.h>
 #include <cable_variation/variation/growing_hull.h>
 #include <cable_variation/variation/shape_follower.h>
+#include <cable_variation/variation/snap_way.h>
 
 namespace cable_variation {
 
@@ -19,8 +20,12 @@ class PhaseSearch {
   /// @param tolerance gain that is not worth a shape [m]
   PhaseSearch(ShapeFollower follower, std::vector<double> times, double tolerance);
 
-  /// Takes in a shape found elsewhere, to start from it.
+  /// Told of every shape that run() solves.
+  void setWitness(const SolvedWitness& witness) { witness_ = witness; }
+  /// Takes in a shape found elsewhere, to start from it. Without rates it is only held.
   void add(const FollowedShape& found);
+  /// Brings the hulls up to date with what was added; run() does it too.
+  void rebuild();
   /// Until no facet of a hull is expected to move out by more than the tolerance, or none did although
   /// expected, or `largest_solves` shapes are solved. `check` is called before each shape, by any thread, and
   /// may throw.
@@ -43,14 +48,26 @@ class PhaseSearch {
   /// Per stretch, the largest with what hulls leave out [m]: twice what the tolerance has grown by, too.
   const std::vector<double>& radius() const { return radius_; }
 
-  /// The shapes of one equilibrium and what it leads to.
-  struct Branch {
+  /// Shapes that are held together: those of a branch, in one slice of the way that the largest snap takes.
+  struct Cluster {
+    std::size_t branch = 0;
+    int slice = 0;
     std::vector<std::vector<GrowingHull>> hulls;  ///< per frame and stretch
-    Eigen::Matrix3Xd first_ends;                  ///< of the first shape in it, seen from the world
-    double jump = 0.0;                            ///< that led to it [m]; 0: the design's own
+  };
+  const std::vector<Cluster>& clusters() const { return clusters_; }
+
+  /// Equilibria that jumps of one kind lead to. The first is the design's own, followed.
+  struct Branch {
+    Eigen::Matrix3Xd motion;  ///< of the first jump to it, FollowedShape::Jump::motion(); the first: empty
+    Snap nearest;             ///< of those found
   };
   const std::vector<Branch>& branches() const { return branches_; }
-  const std::vector<Snap>& snaps() const { return snaps_; }
+  /// Branch that a jump leads to: one whose jumps move the cables alike, the design's own if it goes back,
+  /// or, not known yet, as many as there are.
+  std::size_t branchAfter(const Eigen::Matrix3Xd& motion) const;
+  /// Places of shapes that snapped, or that are on the way of a snap: there are few of them, and more to
+  /// find.
+  std::vector<SamplePlace> rarePlaces() const;
   const std::string& failure() const { return failure_; }  ///< message of the first
 
  private:
@@ -73,7 +90,7 @@ class PhaseSearch {
     Eigen::VectorXd gradient, step, heights;
     Eigen::MatrixXf bend;
   };
-  void considerPush(const GrowingHull::Tag& tag, std::size_t frame, std::size_t stretch,
+  void considerPush(const GrowingHull::Tag& tag, int slice, std::size_t frame, std::size_t stretch,
                     const Eigen::Vector3d& outward, Scratch& scratch, std::vector<Push>& pushes) const;
   void climb(const Eigen::VectorXd& here, Scratch& scratch) const;
   void fitCurvature();
@@ -83,8 +100,10 @@ class PhaseSearch {
   void learn(const Candidate& candidate, const FollowedShape& found);
   void insert(const StretchShape& shape, std::size_t branch);
   void updateRadius();
-  void rebuild();
-  std::size_t branchOf(const FollowedShape::Jump& jump);
+  void hold(std::size_t sample);
+  Cluster& clusterOf(std::size_t branch, int slice);
+  std::size_t takeJump(const FollowedShape::Jump& jump);
+  void sliceAlong(const Eigen::Matrix3Xd& motion);
   std::vector<int> key(const Candidate& candidate) const;
 
   ShapeFollower follower_;
@@ -99,10 +118,14 @@ class PhaseSearch {
   std::vector<std::size_t> sample_branch_;
   std::vector<double> trust_;  // per sample: the share of a way that its derivatives are believed for
   std::vector<double> own_radius_, radius_;  // of the shapes alone, and see radius()
+  std::vector<SnapWay::Progress> progress_;  // per sample
+  SnapWay way_;
+  SolvedWitness witness_;
+  bool forgotten_ = false;  // see forgetRates()
   std::vector<Branch> branches_;
+  std::vector<Cluster> clusters_;
   CurvatureModel curvature_;
   std::size_t fitted_ = 0;  // shapes that it knows
-  std::vector<Snap> snaps_;
   std::set<std::vector<int>> looked_at_;
   std::size_t solves_ = 0, failures_ = 0;
   std::string failure_;

@@ -13,6 +13,8 @@ constexpr double kOddShare = 0.5, kOddOfLength = 0.01;
 // A step that ends further from its prediction than this is cut; when it cannot be cut any more it is a jump.
 constexpr double kStepShare = 0.3, kStepOfLength = 0.002;
 constexpr double kFirstStep = 1.0 / 8.0, kSmallestStep = 1.0 / 512.0;
+// Shapes on the way are kept if they are this far from the last one kept: a share of the cable's length.
+constexpr double kWorthKeeping = 0.002;
 constexpr int kMostSteps = 150;  // a jump takes some 30; a way of nothing but jumps is given up
 // Closely followed, the shape is not expected to move further in one step: a share of the cable's length.
 constexpr double kCloseStep = 0.02;
@@ -27,6 +29,18 @@ ShapeFollower::ShapeFollower(const StretchReader& reader, EquilibriumSolver solv
     : reader_(&reader), solver_(std::move(solver)), reference_time_(reference_time) {
   reference_ = reader.readWithRates(reader.space().designAt(reference_time), harness, equilibrium, solver_);
   for (const Cable& cable : harness.cables) length_ = std::max(length_, cable.length);
+}
+
+void tellOf(const FollowedShape& followed, const ToleranceSpace& tolerances, const SolvedWitness& witness) {
+  if (!witness || !followed.converged) return;
+  witness(followed.shape.place, followed.harness, followed.equilibrium);
+  if (!followed.jump) return;
+  const FollowedShape::Jump& jump = *followed.jump;
+  // the jump may be on the first step: then the side before it is the design's own shape
+  if (jump.equilibrium_before.converged() && tolerances.contains(jump.before.place.deviations))
+    witness(jump.before.place, jump.harness_before, jump.equilibrium_before);
+  if (tolerances.contains(jump.after.place.deviations))
+    witness(jump.after.place, jump.harness_after, jump.equilibrium_after);
 }
 
 FollowedShape ShapeFollower::follow(const SamplePlace& place, bool with_rates) const {
@@ -123,11 +137,19 @@ bool ShapeFollower::goesBack(const StretchShape& here, const SamplePlace& from,
   }
 }
 
+void ShapeFollower::keepOnTheWay(const StretchShape& shape, FollowedShape& followed) const {
+  const StretchShape& last = followed.on_the_way.empty() ? reference_ : followed.on_the_way.back().shape;
+  if (largestDistance(last.ends[0], shape.ends[0]).distance < kWorthKeeping * length_) return;
+  followed.on_the_way.push_back({shape, followed.jump.has_value()});
+}
+
 FollowedShape ShapeFollower::followInSteps(const SamplePlace& place, bool with_rates, Pace pace) const {
   const bool close = pace == Pace::close;
   FollowedShape followed;
   EquilibriumSolver solver = solver_;
   StretchShape here = reference_;
+  Harness harness_here;
+  Equilibrium equilibrium_here;
   double reached = 0.0, step = close ? 1.0 : kFirstStep;
   const auto placeAt = [&](double share) {
     return SamplePlace{share * place.deviations, reference_time_ + share * (place.time - reference_time_)};
@@ -174,17 +196,29 @@ FollowedShape ShapeFollower::followInSteps(const SamplePlace& place, bool with_r
       }
       const bool first = !close || (!followed.jump && !goesBack(here, placeAt(reached), ahead));
       if (odd.distance > kOddOfLength * length_ && first) {
-        followed.jump = {here, there, static_cast<std::size_t>(odd.column / 2), odd.distance};
+        for (auto& kept : followed.on_the_way) kept.beyond = false;
+        followed.jump = {here,
+                         there,
+                         harness_here,
+                         followed.harness,
+                         equilibrium_here,
+                         followed.equilibrium,
+                         static_cast<std::size_t>(odd.column / 2),
+                         odd.distance};
       }
     } else {
       step = close ? 2.0 * step : std::min(2.0 * step, kFirstStep);
     }
     solver = std::move(ahead);
     here = std::move(there);
+    if (with_rates) keepOnTheWay(here, followed);
+    harness_here = followed.harness;
+    equilibrium_here = followed.equilibrium;
     reached = next;
   }
   followed.converged = true;
   followed.message.clear();
+  if (!followed.jump) followed.on_the_way.clear();
   followed.shape = std::move(here);
   if (!with_rates) followed.shape.rates.clear();
   return followed;

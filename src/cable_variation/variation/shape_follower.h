@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,11 +20,29 @@ struct FollowedShape {
   /// The cables jumped on the way; the last jump counts, of followClosely() the first.
   struct Jump {
     StretchShape before, after;
+    Harness harness_before, harness_after;
+    Equilibrium equilibrium_before, equilibrium_after;
     std::size_t stretch = 0;  ///< that moved most
     double distance = 0.0;    ///< by how much [m]
+
+    /// Of the ends of all stretches, seen from the world [m].
+    Eigen::Matrix3Xd motion() const { return after.ends[0] - before.ends[0]; }
   };
   std::optional<Jump> jump;
+
+  /// Shapes on the way, if it jumped and rates were asked for: within the tolerances as the last one is, and
+  /// of a kind that is hard to come by.
+  struct OnTheWay {
+    StretchShape shape;
+    bool beyond = false;  ///< the last jump
+  };
+  std::vector<OnTheWay> on_the_way;
 };
+
+/// Told of a harness within the tolerances and its equilibrium, by any thread.
+using SolvedWitness = std::function<void(const SamplePlace&, const Harness&, const Equilibrium&)>;
+/// Tells of the shape and, if it jumped, of those on both sides of the jump that `tolerances` contain.
+void tellOf(const FollowedShape& followed, const ToleranceSpace& tolerances, const SolvedWitness& witness);
 
 /// Follows the shape of one phase's reference to samples around it. const: may be shared by threads.
 class ShapeFollower {
@@ -34,6 +53,7 @@ class ShapeFollower {
                 const Equilibrium& equilibrium, double reference_time);
 
   const StretchShape& reference() const { return reference_; }
+  const EquilibriumSolver& solver() const { return solver_; }  ///< has the reference's shape
   const StretchReader& reader() const { return *reader_; }
   double referenceTime() const { return reference_time_; }
   Eigen::VectorXd coordinates(const SamplePlace& place) const {
@@ -62,6 +82,7 @@ class ShapeFollower {
                    double left) const;
   bool isSmoothTo(const StretchShape& there, const EquilibriumSolver& solver) const;
   bool goesBack(const StretchShape& here, const SamplePlace& from, EquilibriumSolver ahead) const;
+  void keepOnTheWay(const StretchShape& shape, FollowedShape& followed) const;
 
   const StretchReader* reader_;
   EquilibriumSolver solver_;

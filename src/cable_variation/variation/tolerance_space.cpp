@@ -1,6 +1,8 @@
 #include <cable_variation/variation/tolerance_space.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <stdexcept>
 
@@ -91,15 +93,61 @@ Eigen::VectorXd ToleranceSpace::random(RandomRow& numbers) const { return drawn(
 
 Eigen::VectorXd ToleranceSpace::randomNearLimits(RandomRow& numbers) const { return drawn(numbers, 0.5); }
 
+Eigen::VectorXd ToleranceSpace::offspring(const Eigen::VectorXd& first, const Eigen::VectorXd& second,
+                                          RandomRow& numbers) const {
+  constexpr double kFresh = 0.2, kOfFirst = 0.6, kMoved = 0.5, kStep = 0.1;
+  const Eigen::VectorXd fresh = drawn(numbers, 0.5);
+  // a region is taken as one: its first variable decides
+  std::vector<double> choices(regions_.size()), steps(regions_.size());
+  for (std::size_t i = 0; i < regions_.size(); ++i) {
+    choices[i] = numbers.uniform();
+    steps[i] = numbers.uniform();
+  }
+  Eigen::VectorXd point(size());
+  for (Eigen::Index i = 0; i < size(); ++i) {
+    const int region = region_of_[static_cast<std::size_t>(i)];
+    const double choice = isInterval(i) ? numbers.uniform() : choices[static_cast<std::size_t>(region)];
+    const double step = isInterval(i) ? numbers.uniform() : steps[static_cast<std::size_t>(region)];
+    point[i] = choice < kFresh ? fresh[i] : choice < kOfFirst ? first[i] : second[i];
+    if (choice >= kFresh && step < kMoved) {
+      point[i] += kStep * (2.0 * numbers.uniform() - 1.0) * (upper_[i] - lower_[i]);
+    }
+    point[i] = std::clamp(point[i], lower_[i], upper_[i]);
+  }
+  for (const Region& region : regions_) {
+    const double out = radiusIn(region, point) / region.radius;
+    if (out <= 1.0) continue;
+    for (const Eigen::Index i : region.coordinates) point[i] /= out;
+  }
+  return point;
+}
+
+double ToleranceSpace::radiusIn(const Region& region, const Eigen::VectorXd& deviations) {
+  double squared = 0.0;
+  for (const Eigen::Index i : region.coordinates) squared += deviations[i] * deviations[i];
+  return std::sqrt(squared);
+}
+
+double ToleranceSpace::share(const Eigen::VectorXd& deviations) const {
+  double largest = 0.0;
+  for (Eigen::Index i = 0; i < size(); ++i) {
+    if (!isInterval(i) || deviations[i] == 0.0) continue;
+    const double limit = deviations[i] > 0.0 ? upper_[i] : lower_[i];
+    const bool beyond = limit == 0.0 || (limit > 0.0) != (deviations[i] > 0.0);
+    largest = std::max(largest, beyond ? std::numeric_limits<double>::infinity() : deviations[i] / limit);
+  }
+  for (const Region& region : regions_)
+    largest = std::max(largest, radiusIn(region, deviations) / region.radius);
+  return largest;
+}
+
 bool ToleranceSpace::contains(const Eigen::VectorXd& deviations, double relative_slack) const {
   for (Eigen::Index i = 0; i < size(); ++i) {
     const double slack = relative_slack * (upper_[i] - lower_[i]);
     if (!(deviations[i] >= lower_[i] - slack && deviations[i] <= upper_[i] + slack)) return false;
   }
   for (const Region& region : regions_) {
-    double squared = 0.0;
-    for (const Eigen::Index i : region.coordinates) squared += deviations[i] * deviations[i];
-    if (!(std::sqrt(squared) <= region.radius * (1.0 + relative_slack))) return false;
+    if (!(radiusIn(region, deviations) <= region.radius * (1.0 + relative_slack))) return false;
   }
   return true;
 }

@@ -35,6 +35,15 @@ class ToleranceSpace {
   /// surface likewise, else evenly within.
   Eigen::VectorXd randomNearLimits(RandomRow& numbers) const;
 
+  /// Of two points within: each interval, and each region as one, from either of them, moved by up to a tenth
+  /// of its width or drawn anew, half of the time at its limits.
+  Eigen::VectorXd offspring(const Eigen::VectorXd& first, const Eigen::VectorXd& second,
+                            RandomRow& numbers) const;
+
+  /// The share of the tolerances that deviations take up: 1 at a limit, 0 at none; infinity where a limit is
+  /// passed that is 0.
+  double share(const Eigen::VectorXd& deviations) const;
+
   bool contains(const Eigen::VectorXd& deviations, double relative_slack = 1e-12) const;
 
  private:
@@ -42,6 +51,7 @@ class ToleranceSpace {
     std::vector<Eigen::Index> coordinates;
     double radius;
   };
+  static double radiusIn(const Region& region, const Eigen::VectorXd& deviations);
   Eigen::VectorXd drawn(RandomRow& numbers, double share_at_limits) const;
 
   Eigen::VectorXd lower_, upper_;
