@@ -13,11 +13,8 @@
 #include <cable_variation/variation/cable_view.h>
 #include <cable_variation/variation/clearance_samples.h>
 #include <cable_variation/variation/clearance_spots.h>
-<<<<<<< HEAD
-#include <cable_variation/variation/open_parts.h>
-=======
 #include <cable_variation/variation/closest_solved.h>
->>>>>>> 5b8e073 (Envelopes of a share of production; containment is told of shapes drawn after the envelope is finished)
+#include <cable_variation/variation/open_parts.h>
 #include <cable_variation/variation/pair_search.h>
 #include <cable_variation/variation/sample_follower.h>
 
@@ -105,14 +102,10 @@ void complete(ClearanceSpot& spot, const ToleranceSpace& tolerances, const Envel
   }
   if (closest && (!worst || closest->pair.distance < worst->pair.distance)) worst = std::move(closest);
   clearance.between_bodies = clearance.distance;
-<<<<<<< HEAD
-  if (clearance.other) judgeTogether(spot, tolerances, options, clearance_options, shapes, worst);
-  if (worst && worst->pair.side == ClosestPair::Side::undecided) clearance.undecided = true;
-=======
   // harnesses at their worst together are not what a share of production is
   if (clearance.other && shapes.envelope().probability == 0.0)
     judgeTogether(spot, tolerances, options, clearance_options, shapes, worst);
->>>>>>> 5b8e073 (Envelopes of a share of production; containment is told of shapes drawn after the envelope is finished)
+  if (worst && worst->pair.side == ClosestPair::Side::undecided) clearance.undecided = true;
   clearance.worst_sample = worst ? worst->pair.distance : std::numeric_limits<double>::infinity();
   if (!worst) return;
   const bool together = clearance.kind == EnvelopeClearance::Kind::together;

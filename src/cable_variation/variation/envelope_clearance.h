@@ -62,14 +62,12 @@ struct ClearanceOptions {
 /// EnvelopeOptions::frames: those that a motion or a variable moves, one of those that move together.
 std::vector<std::string> clearanceFrames(const Scene& scene, const EnvelopeOptions& options);
 
-<<<<<<< HEAD
 /// What to know of a clearance; empty: nothing.
 std::string noteOf(const EnvelopeClearance& clearance);
 /// One sentence for each component that is open.
 std::vector<std::string> openPartWarnings(const std::vector<EnvelopeClearance>& clearances);
-=======
+
 class ClosestSolved;
->>>>>>> 5b8e073 (Envelopes of a share of production; containment is told of shapes drawn after the envelope is finished)
 
 /// Solves the scene again for a sample of the envelope.
 using SampleSolver = std::function<SolvedSample(const EnvelopeSample&)>;
