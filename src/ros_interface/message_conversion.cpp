@@ -165,6 +165,7 @@ cable_variation::SolveEquilibriumResponse toResponse(const Equilibrium& equilibr
     message.largest_distance = alternative.largest_distance;
     response.alternatives.push_back(message);
   }
+  response.warnings = equilibrium.notes;
   return response;
 }
 
