@@ -177,5 +177,29 @@ TEST(Slender, IsFollowed) {
   }
 }
 
+// Map coordinates: a scene a thousand kilometres from the origin is solved, or it is said that its positions
+// are rounded too much.
+TEST(FarFromTheOrigin, ShapesAreTheSameOrRefused) {
+  for (const double slenderness : {1e3, 1e5, 1e7, 1e8}) {
+    Harness harness =
+        clamped(uniformCable(1.0, withSlenderness(slenderness)), poseAt(0.7, 0.1, 0.0, {0.0, 0.3, 0.5}));
+    const Equilibrium near = solve(harness, 1e-4);
+    for (const double distance : {1e3, 1e5, 1e6, 1e8}) {
+      SCOPED_TRACE(testing::Message() << "slenderness " << slenderness << ", " << distance << " m");
+      const Eigen::Vector3d shift(distance, -distance, 0.3 * distance);
+      Harness moved = harness;
+      for (Clip& clip : moved.clips) clip.pose.position += shift;
+      const Equilibrium far = solve(moved, 1e-4);
+      if (distance <= 1e6 && slenderness <= 1e7) {
+        ASSERT_TRUE(far.converged()) << far.message;
+      }
+      if (!far.converged()) continue;
+      EXPECT_LT((far.shapes[0].position(0.5) - shift - near.shapes[0].position(0.5)).norm(), 3e-4);
+      EXPECT_NEAR(far.clip_reactions[1].force.norm(), near.clip_reactions[1].force.norm(),
+                  0.03 * near.clip_reactions[1].force.norm());
+    }
+  }
+}
+
 }  // namespace
 }  // namespace cable_variation::test

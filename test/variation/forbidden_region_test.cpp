@@ -97,10 +97,10 @@ TEST(ForbiddenRegion, SaysWhereAFileIsNoRegion) {
   expectFault(with("version 1", "version 2"), "region.obj:1: expected");
   expectFault(with("# pieces 7", "# pieces 8"), "after 7 pieces, expected 8");
   expectFault(with("# pieces 7\n", ""), "the number of pieces is missing");
-  expectFault(with("cable=main", "main"), "region.obj:8: object 'main;s=");
+  expectFault(with("cable=main", "main"), "region.obj:9: object 'main;s=");
   expectFault(with(";branch=0", ";branch=none"), "branch: 'none' is no whole number");
   expectFault(with(";r=", ";r=-"), "expected at least 0");
-  expectFault(with("\nv ", "\nv nan "), "region.obj:9: coordinate: 'nan' is no finite number");
+  expectFault(with("\nv ", "\nv nan "), "region.obj:10: coordinate: 'nan' is no finite number");
   expectFault(with("\nv ", "\nv 1e999 "), "is no finite number");
   expectFault(with("\nf 1 ", "\nf 1000 "), "facet of vertex 1000, expected one of the object's, 1 to ");
   expectFault(with("\nf 1 ", "\nl 1 "), "unknown keyword 'l'");

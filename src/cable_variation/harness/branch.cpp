@@ -228,7 +228,24 @@ void Branch::findEigenvalue(Equilibrium& result) {
   }
 }
 
+// Far from the origin positions are rounded by what would stretch a slender cable noticeably.
+bool Branch::lostInRounding(Equilibrium& result) const {
+  constexpr double kMost = 0.3;  // of RodSystem::stiffnessNoise(); 0.1 is seen in forces, by a hundredth
+  if (problem_.system->stiffnessNoise() <= kMost) return false;
+  double reach = 0.0;
+  for (const Clip& clip : problem_.harness.clips) reach = std::max(reach, clip.pose.position.norm());
+  std::ostringstream text;
+  text << "the clips lie up to " << reach << " m from the origin, where positions are rounded by "
+       << 2e-16 * reach
+       << " m: too much for cables as slender as these; expected the scene's origin near the harness";
+  result.status = EquilibriumStatus::not_converged;
+  result.message = text.str();
+  result.shapes.clear();
+  return true;
+}
+
 void Branch::finish(Equilibrium& result) {
+  if (lostInRounding(result)) return;
   if (options_.eigenvalue || unstable_) findEigenvalue(result);
   describe(problem_.harness, problem_.topology, *problem_.system, problem_.configuration, result);
   if (overstretched(result)) return;

@@ -55,6 +55,7 @@ class Branch {
   };
   OnGrid refineGrid(const std::vector<std::vector<bool>>& marked, const std::vector<CableShape>& shapes);
   bool overstretched(Equilibrium& result) const;
+  bool lostInRounding(Equilibrium& result) const;
   void findEigenvalue(Equilibrium& result);
 
   EquilibriumOptions options_;

@@ -76,8 +76,13 @@ class Descent {
           break;
         }
       } else {
+        const bool exact = !predicted_ || !system_.slides();
         system_.move(step_, configuration_);
-        if (judge()) break;
+        if (!exact) {
+          evaluateExactly();  // the last step along a slid cable is one by its own section forces
+        } else if (judge()) {
+          break;
+        }
       }
     }
     result_.residual = system_.residual();

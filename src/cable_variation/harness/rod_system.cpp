@@ -69,6 +69,8 @@ RodSystem::RodSystem(const Harness& harness, const Topology& topology, const Gri
 void RodSystem::harnessChanged() {
   profiles_.clear();
   for (const Cable& cable : harness_.cables) profiles_.emplace_back(cable);
+  reach_ = 0.0;
+  for (const Clip& clip : harness_.clips) reach_ = std::max(reach_, clip.pose.position.norm());
   for (SpanData& data : spans_) data.left_arc_length = data.right_arc_length = -1.0;
 }
 

@@ -194,6 +194,7 @@ class RodSystem {
   std::unique_ptr<StationSolver> stations_;
   EnergyTerms energy_;
   NodalField gradient_;
+  double reach_ = 0.0;  // largest distance of a clip from the origin, rounding grows with it [m]
   bool has_slides_ = false;
 };
 

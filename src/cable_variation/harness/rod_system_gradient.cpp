@@ -151,7 +151,8 @@ double RodSystem::residualNoise() const {
     // strains are differences of positions over an element; moments grow with the element count
     const double count = static_cast<double>(data.elements);
     const double moment = data.bending_stiffness * count / data.length() * count / data.gyration;
-    noise = std::max(noise, 1e-15 * (10.0 * data.stretch_stiffness * (1.0 + count) + 20.0 * moment));
+    const double far = reach_ * count / data.length();  // of the origin, over an element
+    noise = std::max(noise, 1e-15 * (10.0 * data.stretch_stiffness * (1.0 + count + far) + 20.0 * moment));
   }
   return noise;
 }
@@ -161,7 +162,9 @@ double RodSystem::stiffnessNoise() const {
   double noise = 0.0;
   for (const SpanData& data : spans_) {
     const double slenderness = data.length() / data.gyration;
-    noise = std::max(noise, kRounding * static_cast<double>(data.elements) * slenderness * slenderness);
+    const double far = reach_ / data.length();
+    noise = std::max(
+        noise, kRounding * static_cast<double>(data.elements) * (1.0 + far) * slenderness * slenderness);
   }
   return noise;
 }
