@@ -21,8 +21,8 @@ namespace {
 constexpr std::uint64_t kMostUnlessGiven = 1000000;  // with sigma_error; some minutes
 constexpr std::uint32_t kMostSections = 2000;
 constexpr std::uint32_t kMostShapes = 500;  // what RViz draws without delay
-// Bytes of a place on a cable: in a shape that is kept, its message and marker; in the figures of all blocks of
-// samples under way.
+// Bytes of a place on a cable: in a shape that is kept, its message and marker; in the figures of all blocks
+// of samples under way.
 constexpr double kKeptPlace = 100.0, kFigures = 4000.0;
 constexpr double kAlongCables = 0.5;  // of the memory limit
 

@@ -59,7 +59,8 @@ class RodSystem {
 
   /// Stretch and shear no stiffer than leaves each span a slenderness EA ℓ²/EI of `slenderness`, unless it
   /// is not far from that, the loads would stretch it noticeably then, or its clips hold it taut at
-  /// `configuration`. Infinite: as the cables are. Returns whether this makes any span softer than its cable is.
+  /// `configuration`. Infinite: as the cables are. Returns whether this makes any span softer than its cable
+  /// is.
   bool soften(double slenderness, const Configuration& configuration);
 
   /// Whether an arc length is unknown.
