@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace cable_variation {
 namespace {
@@ -10,7 +11,7 @@ constexpr double kLoose = 1.05;        // of the distance: length of a piece wit
 constexpr double kLeastPiece = 0.03;   // of the room, between neighbouring stations
 constexpr double kNothingHeld = 0.25;  // of the room left on the side that no clip holds
 
-enum class Slack { shared, behind, before };
+enum class Slack { shared, behind, before, between };
 
 class Rooms {
  public:
@@ -58,8 +59,12 @@ class Rooms {
     for (std::size_t i = left + 1; i < right; ++i) {
       const double way = reached[i - left];
       double at = room * way / total;
-      if (slack == Slack::behind) at = std::min(at, kLoose * way);
-      if (slack == Slack::before) at = std::max(at, room - kLoose * (total - way));
+      const bool in_first_half = 2 * (i - left) <= right - left;
+      if (slack == Slack::behind || (slack == Slack::between && in_first_half)) {
+        at = std::min(at, kLoose * way);
+      } else if (slack != Slack::shared) {
+        at = std::max(at, room - kLoose * (total - way));
+      }
       const double latest = room - static_cast<double>(right - i) * least;
       before = std::clamp(at, before + least, std::max(before + least, latest));
       arc_lengths[stations[i]] = start + before;
@@ -77,7 +82,12 @@ std::vector<std::vector<double>> slideStarts(const Harness& harness, const Topol
                                [](const Clip& clip) { return clip.constraint.slides; });
   if (!any) return {};
   const Rooms rooms(harness, topology);
-  return {rooms.start(Slack::shared), rooms.start(Slack::behind), rooms.start(Slack::before)};
+  std::vector<std::vector<double>> starts;
+  for (const Slack slack : {Slack::shared, Slack::behind, Slack::before, Slack::between}) {
+    std::vector<double> start = rooms.start(slack);
+    if (std::find(starts.begin(), starts.end(), start) == starts.end()) starts.push_back(std::move(start));
+  }
+  return starts;
 }
 
 }  // namespace cable_variation

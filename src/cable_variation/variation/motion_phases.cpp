@@ -169,7 +169,9 @@ double excessOf(const std::vector<std::vector<Pose>>& clips, std::size_t first, 
 }
 
 std::vector<MotionPhase> cut(const Stations& stations, const PhaseRule& rule) {
-  const auto& [times, clips] = stations;
+  // no binding: C++17 has lambdas capture none
+  const std::vector<double>& times = stations.times;
+  const std::vector<std::vector<Pose>>& clips = stations.clips;
   std::vector<MotionPhase> phases;
   const auto bowOf = [&](std::size_t first, std::size_t last) {
     double bow = 0.0;
