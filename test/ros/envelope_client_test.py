@@ -43,7 +43,7 @@ class EnvelopeClientTest(NodeTest):
         self.assertEqual((result.returncode, result.stderr), (0, ''))
         self.assertLessEqual(max(len(line) for line in result.stdout.splitlines()), 100)
         self.assertIn('95 % of production', result.stdout)
-        self.assertRegex(result.stdout, r'production +9[5-9][.\d]* % +held of \d+ fresh samples; 9[5-9][.\d]* % at least')
+        self.assertRegex(result.stdout, r'production +9[5-9][.\d]* % +held of [\d,]+ fresh samples; 9[5-9][.\d]* % at least')
 
     def test_tells_when_over_a_motion(self):
         result = self.run_client('--motions', 'sway', '--motion-only', '--verification', '50')

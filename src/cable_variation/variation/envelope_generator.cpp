@@ -32,6 +32,8 @@ constexpr double kWorthwhile = 0.4;
 // Rounds of looking at random shapes and taking in those that stick out, and the most of each.
 constexpr int kRounds = 8;
 constexpr std::size_t kLookedAt = 2000;
+// Of shapes that stick out of the finished envelope so many are taken in at most.
+constexpr std::size_t kMostHeld = 1000;
 // Random shapes that stick out by more than this share of the margin are taken in; in phases that leave more
 // than worthwhile gains, by so much more.
 constexpr double kTakenIn = 0.5;
@@ -293,16 +295,22 @@ class Generator {
     return rare;
   }
 
-  std::vector<RandomShape> look(const std::vector<SamplePlace>& places, int round) {
+  // @param round kRounds: verification
+  LookOptions lookOptions(int round, std::size_t count) {
     LookOptions looking;
     looking.witness = witness_;
-    looking.progress = [&](std::size_t done) {
-      const double share = static_cast<double>(done) / static_cast<double>(places.size());
-      // a round is a fifth of what is left; verification is the last one
+    looking.progress = [this, round, count](std::size_t done) {
+      const double share = static_cast<double>(done) / static_cast<double>(count);
+      // a round is a fifth of what is left
       const double left = 0.4 * std::pow(0.8, round);
-      report_({"containment", 0.5 + 0.4 - left * (1.0 - 0.2 * share), done, places.front().time});
+      const double to = round == kRounds ? 1.0 : 0.2;
+      report_({"containment", 0.9 - left * (1.0 - to * share), done, options_.from});
     };
-    return lookAt(searches_, places, looking);
+    return looking;
+  }
+
+  std::vector<RandomShape> look(const std::vector<SamplePlace>& places, int round) {
+    return lookAt(searches_, places, lookOptions(round, places.size()));
   }
 
   // Fresh shapes, once: what they tell is true of the envelope as it is now. Those outside are taken in
@@ -310,25 +318,28 @@ class Generator {
   void verify() {
     if (options_.verification == 0) return;
     const CounterRandom random(options_.seed, kContainmentStream);
-    std::vector<SamplePlace> places;
-    places.reserve(options_.verification);
-    for (std::size_t i = 0; i < options_.verification; ++i)
-      places.push_back(drawPlace(space_, options_.from, end_, random, i));
-    const std::vector<RandomShape> shapes = look(places, kRounds);
-    envelope_.containment = containmentOf(shapes, stretches_, envelope_.inflation, false, kConfidence);
-    std::vector<bool> counted;  // for the share of the tolerances that lies beyond a snap
-    for (std::size_t i = 0; i < shapes.size(); ++i) counted.push_back(isDrawnEvenly(i));
-    if (options_.conservative && envelope_.containment.outside > 0) {
-      warn(envelope_, envelope_.containment.outside, " of ", shapes.size(),
+    ContainmentCount count(envelope_.inflation);
+    std::vector<RandomShape> outside, unknown;
+    lookInBlocks(
+        searches_, options_.verification,
+        [&](std::size_t i) { return drawPlace(space_, options_.from, end_, random, i); },
+        lookOptions(kRounds, options_.verification),
+        [&](std::size_t first, const std::vector<RandomShape>& shapes) {
+          count.add(shapes, stretches_);
+          for (std::size_t i = 0; i < shapes.size(); ++i) {
+            if (count.isOutside(shapes[i]) && outside.size() < kMostHeld) outside.push_back(shapes[i]);
+            if (isDrawnEvenly(first + i)) countSnap(shapes[i], &unknown);
+          }
+        });
+    envelope_.containment = count.result(false, kConfidence);
+    if (options_.conservative && !outside.empty()) {
+      warn(envelope_, envelope_.containment.outside, " of ", envelope_.containment.shapes,
            " shapes drawn after the envelope was finished stick out of it by up to ",
-           1e3 * envelope_.containment.largest_excess, " mm; it has been made to hold these too");
-      std::vector<RandomShape> outside;
-      for (const RandomShape& shape : shapes) {
-        if (shape.converged && shape.protrusion > envelope_.inflation) outside.push_back(shape);
-      }
+           1e3 * envelope_.containment.largest_excess, " mm; it has been made to hold ", outside.size(),
+           " of these too");
       hold(outside);
     }
-    countSnaps(shapes, counted);
+    countUnknown(unknown);
   }
 
   void holdProduction() {
@@ -347,19 +358,30 @@ class Generator {
            result.looks, " looks at fresh shapes: up to ", 100.0 * result.containment.outside_bound,
            " % may stick out");
     }
-    countSnaps(result.verified, std::vector<bool>(result.verified.size(), true));
+    counted_ = result.containment.shapes - result.containment.failed;
+    countUnknown(result.snapped);
   }
 
-  // The share of random shapes that snapped, by branch of the envelope.
-  void countSnaps(const std::vector<RandomShape>& shapes, const std::vector<bool>& counted) {
-    const std::vector<std::vector<std::size_t>> numbers = branchNumbers(searches_);
-    for (std::size_t i = 0; i < shapes.size(); ++i) {
-      if (!counted[i] || !shapes[i].converged) continue;
-      ++counted_;
-      if (shapes[i].jump.size() == 0) continue;
-      const std::size_t branch = searches_[shapes[i].phase].branchAfter(shapes[i].jump);
-      if (branch < numbers[shapes[i].phase].size()) ++snapped_[numbers[shapes[i].phase][branch]];
+  // Counts a shape among those that tell of the share that snaps, by branch of the envelope; of a branch that
+  // is not known yet it is put aside.
+  void countSnap(const RandomShape& shape, std::vector<RandomShape>* unknown) {
+    if (!shape.converged) return;
+    ++counted_;
+    if (shape.jump.size() > 0) countJump(shape, unknown);
+  }
+
+  void countJump(const RandomShape& shape, std::vector<RandomShape>* unknown) {
+    const std::vector<std::size_t> numbers = branchNumbers(searches_)[shape.phase];
+    const std::size_t branch = searches_[shape.phase].branchAfter(shape.jump);
+    if (branch < numbers.size()) {
+      ++snapped_[numbers[branch]];
+    } else if (unknown != nullptr && unknown->size() < kMostHeld) {
+      unknown->push_back(shape);
     }
+  }
+
+  void countUnknown(const std::vector<RandomShape>& shapes) {
+    for (const RandomShape& shape : shapes) countJump(shape, nullptr);
   }
 
   // What a random shape may stick out of a phase without being taken in [m].

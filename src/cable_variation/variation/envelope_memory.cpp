@@ -11,7 +11,7 @@
 #include <cable_variation/geometry/box.h>
 #include <cable_variation/variation/envelope_generator.h>
 #include <cable_variation/variation/envelope_tightness.h>
-#include <cable_variation/variation/envelope_verification.h>
+#include <cable_variation/variation/statistical_envelope.h>
 
 namespace cable_variation {
 namespace {
@@ -81,7 +81,9 @@ void refuseMoreThanMemory(const EnvelopeOptions& options, const EnvelopeMemory& 
     refuse("variables", options.variables.size(), searches, EnvelopeMemory::kForSearches, limit,
            "fewer, or fewer cables");
   }
-  const double row = sizeof(RandomShape) + sizeof(double) * count(options.variables.size());
+  // of each shape that verifies a share of production, how far it sticks out; in the worst case they are only
+  // counted
+  const double row = options.probability > 0.0 ? sizeof(double) * kMostLooks : 0.0;
   if (row * count(options.verification) > EnvelopeMemory::kForRandomShapes * limit) {
     refuse("verification_shapes", options.verification, row * count(options.verification),
            EnvelopeMemory::kForRandomShapes, limit,

@@ -97,33 +97,54 @@ std::vector<RandomShape> lookAt(const std::vector<PhaseSearch>& phases,
     } else if (options.witness && shape.converged && shape.protrusion <= options.inflation) {
       options.witness(shape.place, followed.harness, followed.equilibrium);
     }
-    if (options.progress) options.progress(++done);
+    constexpr std::size_t kNowAndThen = 16;
+    const std::size_t so_many = ++done;
+    if (options.progress && (so_many % kNowAndThen == 0 || so_many == places.size()))
+      options.progress(so_many);
   });
   return shapes;
 }
 
-Containment containmentOf(const std::vector<RandomShape>& shapes,
-                          const std::vector<MaterialStretch>& stretches, double inflation,
-                          bool failures_outside, double confidence) {
+void lookInBlocks(const std::vector<PhaseSearch>& phases, std::size_t count,
+                  const std::function<SamplePlace(std::size_t)>& draw, const LookOptions& options,
+                  const std::function<void(std::size_t, const std::vector<RandomShape>&)>& take) {
+  constexpr std::size_t kBlock = 16384;
+  for (std::size_t first = 0; first < count; first += kBlock) {
+    std::vector<SamplePlace> places;
+    for (std::size_t i = first; i < std::min(count, first + kBlock); ++i) places.push_back(draw(i));
+    LookOptions of_block = options;
+    if (options.progress) of_block.progress = [&](std::size_t done) { options.progress(first + done); };
+    take(first, lookAt(phases, places, of_block));
+  }
+}
+
+bool ContainmentCount::isOutside(const RandomShape& shape) const {
   constexpr double kNone = 1e-9;  // [m]
-  Containment containment;
-  containment.shapes = shapes.size();
-  double most = -std::numeric_limits<double>::infinity();
+  return shape.converged && shape.protrusion > inflation_ + kNone;
+}
+
+void ContainmentCount::add(const std::vector<RandomShape>& shapes,
+                           const std::vector<MaterialStretch>& stretches) {
+  counted_.shapes += shapes.size();
   for (const RandomShape& shape : shapes) {
     if (!shape.converged) {
-      ++containment.failed;
+      ++counted_.failed;
       continue;
     }
-    if (shape.protrusion > inflation + kNone) ++containment.outside;
-    if (shape.protrusion <= most) continue;
-    most = shape.protrusion;
-    containment.largest_protrusion = std::max(0.0, shape.protrusion);
-    containment.deviations = shape.place.deviations;
-    containment.time = shape.place.time;
-    containment.cable = stretches[shape.stretch].cable;
-    containment.arc_length = stretches[shape.stretch].start;
+    if (isOutside(shape)) ++counted_.outside;
+    if (shape.protrusion <= most_) continue;
+    most_ = shape.protrusion;
+    counted_.largest_protrusion = std::max(0.0, shape.protrusion);
+    counted_.deviations = shape.place.deviations;
+    counted_.time = shape.place.time;
+    counted_.cable = stretches[shape.stretch].cable;
+    counted_.arc_length = stretches[shape.stretch].start;
   }
-  if (containment.outside > 0) containment.largest_excess = containment.largest_protrusion - inflation;
+}
+
+Containment ContainmentCount::result(bool failures_outside, double confidence) const {
+  Containment containment = counted_;
+  if (containment.outside > 0) containment.largest_excess = containment.largest_protrusion - inflation_;
   containment.outside_bound =
       failures_outside
           ? shareUpperBound(containment.outside + containment.failed, containment.shapes, confidence)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include <cable_variation/variation/envelope.h>
@@ -52,11 +53,29 @@ struct LookOptions {
 std::vector<RandomShape> lookAt(const std::vector<PhaseSearch>& phases,
                                 const std::vector<SamplePlace>& places, const LookOptions& options);
 
-/// What the shapes tell of pieces that are rounded by an inflation [m].
-/// @param failures_outside whether those without an equilibrium count as outside
-/// @param confidence of the bound, one-sided
-Containment containmentOf(const std::vector<RandomShape>& shapes,
-                          const std::vector<MaterialStretch>& stretches, double inflation,
-                          bool failures_outside, double confidence);
+/// The same for any number of places, a block at a time, so that only those of a block are held.
+/// @param draw of each number below `count`
+/// @param take given the shapes of each block, and the number of the first
+void lookInBlocks(const std::vector<PhaseSearch>& phases, std::size_t count,
+                  const std::function<SamplePlace(std::size_t)>& draw, const LookOptions& options,
+                  const std::function<void(std::size_t first, const std::vector<RandomShape>& shapes)>& take);
+
+/// Counts what shapes tell of pieces that are rounded by an inflation [m].
+class ContainmentCount {
+ public:
+  explicit ContainmentCount(double inflation) : inflation_(inflation) {}
+
+  void add(const std::vector<RandomShape>& shapes, const std::vector<MaterialStretch>& stretches);
+  /// Whether the shape is outside.
+  bool isOutside(const RandomShape& shape) const;
+  /// @param failures_outside whether those without an equilibrium count as outside
+  /// @param confidence of the bound, one-sided
+  Containment result(bool failures_outside, double confidence) const;
+
+ private:
+  double inflation_;
+  double most_ = -std::numeric_limits<double>::infinity();
+  Containment counted_;
+};
 
 }  // namespace cable_variation

@@ -22,7 +22,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Of the shapes that may be outside, so many are among those verified: then a share a third below it is told
 // from it. Likewise among those learnt from.
 constexpr double kVerifiedOutside = 15.0, kLearntOutside = 8.0;
-constexpr std::size_t kFewestLearnt = 300, kMostLearnt = 4000;
+constexpr std::size_t kFewest = 2000, kMostLearnt = 4000, kFewestLearnt = 300;
 // Ends of stretches kept while learning, some 300 MB.
 constexpr std::size_t kMostLearntStretches = 1500000;
 // Left out of the hulls, as a share of what may be outside: what lies further out than all others.
@@ -155,11 +155,11 @@ StatisticalPlan planFor(double probability, std::size_t verification, std::size_
          << kMostSamples / (kMostLooks + 3);
     throw std::invalid_argument(text.str());
   }
-  plan.calibration = std::max<std::size_t>(kFewestLearnt, static_cast<std::size_t>(enough));
+  plan.calibration = std::max<std::size_t>(kFewest, static_cast<std::size_t>(enough));
   plan.added = plan.calibration;
   plan.verification = verification == 0 ? plan.calibration : verification;
   const auto learnt = static_cast<std::size_t>(std::ceil(kLearntOutside / rare));
-  plan.learnt = std::clamp(learnt, kFewestLearnt, kMostLearnt);
+  plan.learnt = std::clamp(learnt, kFewest, kMostLearnt);
   plan.learnt = std::max(kFewestLearnt, std::min(plan.learnt, kMostLearntStretches / stretches));
   if (!mostOutside(plan, 0)) {
     std::ostringstream text;
@@ -234,8 +234,13 @@ StatisticalResult holdShareOfProduction(std::vector<PhaseSearch>& searches, cons
   const std::size_t learnt = plan.learnt + plan.added;
   options.progress = [&](std::size_t done) { tell(learnt, done); };
   std::vector<double> protrusions;
-  for (const RandomShape& shape : lookAt(searches, draw(plan.calibration), options))
-    protrusions.push_back(protrusionOf(shape));
+  const auto drawNext = [&](std::size_t /*index*/) {
+    return productionPlace(sampler, drawn++, search.follower().referenceTime());
+  };
+  lookInBlocks(searches, plan.calibration, drawNext, options,
+               [&](std::size_t /*first*/, const std::vector<RandomShape>& shapes) {
+                 for (const RandomShape& shape : shapes) protrusions.push_back(protrusionOf(shape));
+               });
 
   options.witness = witness;
   options.only_held = true;
@@ -253,12 +258,19 @@ StatisticalResult holdShareOfProduction(std::vector<PhaseSearch>& searches, cons
       throw std::runtime_error(text.str());
     }
     options.inflation = result.inflation;
-    result.verified = lookAt(searches, draw(plan.verification), options);
-    result.containment = containmentOf(result.verified, search.follower().reader().stretches(),
-                                       result.inflation, true, 1.0 - errorOfLook(result.looks));
+    ContainmentCount count(result.inflation);
+    result.snapped.clear();
+    lookInBlocks(searches, plan.verification, drawNext, options,
+                 [&](std::size_t /*first*/, const std::vector<RandomShape>& shapes) {
+                   count.add(shapes, search.follower().reader().stretches());
+                   for (const RandomShape& shape : shapes) {
+                     protrusions.push_back(protrusionOf(shape));
+                     if (shape.jump.size() > 0) result.snapped.push_back(shape);
+                   }
+                 });
+    result.containment = count.result(true, 1.0 - errorOfLook(result.looks));
     result.shown = result.containment.outside_bound <= 1.0 - plan.probability;
     ++result.looks;
-    for (const RandomShape& shape : result.verified) protrusions.push_back(protrusionOf(shape));
   }
   return result;
 }

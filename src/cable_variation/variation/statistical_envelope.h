@@ -29,11 +29,11 @@ struct StatisticalPlan {
 StatisticalPlan planFor(double probability, std::size_t verification, std::size_t stretches);
 
 struct StatisticalResult {
-  double inflation = 0.0;             ///< [m]
-  Containment containment;            ///< of the last look
-  std::vector<RandomShape> verified;  ///< of the last look
-  int looks = 0;                      ///< at fresh shapes
-  bool shown = false;                 ///< that at least the probability is held, with 95 % confidence
+  double inflation = 0.0;            ///< [m]
+  Containment containment;           ///< of the last look
+  std::vector<RandomShape> snapped;  ///< of the last look
+  int looks = 0;                     ///< at fresh shapes
+  bool shown = false;                ///< that at least the probability is held, with 95 % confidence
 };
 
 /// Fills the hulls of a phase with the whole shapes of a share of production, by split conformal prediction
