@@ -121,6 +121,9 @@ TEST(statistical_envelope, refuses_what_is_no_share_and_what_cannot_be_shown) {
   bad.verification = 500;  // not one outside of 500 shows 99.4 % at most
   expectRefusal(bad, "verification: 500 shapes; expected at least 1191");
   bad = sound;
+  bad.verification = 1000000000;
+  expectRefusal(bad, "verification_shapes: 1000000000");
+  bad = sound;
   bad.verification = 0;
   bad.conservative = false;
   expectRefusal(bad, "without inflation");

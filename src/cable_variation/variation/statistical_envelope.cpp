@@ -40,10 +40,14 @@ double errorOfLook(int look) { return kFirstError * std::pow(kErrorLeft, look); 
 
 // The most of `shapes` that may stick out for the bound to show the probability; none: not even 0.
 std::optional<std::size_t> mostOutside(const StatisticalPlan& plan, int look) {
-  std::optional<std::size_t> most;
-  for (std::size_t outside = 0; outside < plan.verification; ++outside) {
-    if (shareUpperBound(outside, plan.verification, 1.0 - errorOfLook(look)) > 1.0 - plan.probability) break;
-    most = outside;
+  const auto shows = [&](std::size_t outside) {
+    return shareUpperBound(outside, plan.verification, 1.0 - errorOfLook(look)) <= 1.0 - plan.probability;
+  };
+  if (!shows(0)) return std::nullopt;
+  std::size_t most = 0, more = plan.verification;  // shows(most), but not shows(more)
+  while (more - most > 1) {
+    const std::size_t middle = most + (more - most) / 2;
+    (shows(middle) ? most : more) = middle;
   }
   return most;
 }
