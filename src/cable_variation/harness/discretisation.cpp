@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include <cable_variation/harness/minimise.h>
+#include <cable_variation/harness/solve_tolerance.h>
 
 namespace cable_variation {
 

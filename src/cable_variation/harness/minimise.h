@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cable_variation/harness/rod_system.h>
+#include <cable_variation/harness/solve_tolerance.h>
 
 namespace cable_variation {
 
@@ -34,16 +34,5 @@ struct Minimum {
 /// returned. Deterministic. On return `system` holds the gradient there, and unless it
 /// settled or failed, the factorised Hessian.
 Minimum minimise(RodSystem& system, Configuration& configuration, const MinimiseOptions& options = {});
-
-/// The largest out-of-balance force that counts as none: rounding, or a share of what the softest bending
-/// takes [N]. After an evaluation.
-double residualTolerance(const RodSystem& system);
-
-/// The shift that counts as none: small enough not to slow Newton's method,
-/// large enough to let motions that cost no energy (a round cable turning in
-/// ball joints) pass as stable.
-constexpr double kNeutralShift = 1e-9;
-/// The same, where rounding is larger: after an evaluation.
-double neutralShift(const RodSystem& system);
 
 }  // namespace cable_variation

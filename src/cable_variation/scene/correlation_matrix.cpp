@@ -6,7 +6,7 @@
 
 #include <Eigen/Eigenvalues>
 
-#include <cable_variation/scene/fault_list.h>
+#include <cable_variation/scene/name_list.h>
 #include <cable_variation/scene/quantity.h>
 
 namespace cable_variation {

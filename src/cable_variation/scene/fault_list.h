@@ -27,11 +27,4 @@ class FaultList {
   std::vector<SceneFault> warnings_;
 };
 
-/// "; did you mean 'length'?" for the candidate nearest to `name`; else, if there
-/// are few, "; known: a, b"; else nothing.
-std::string didYouMean(const std::string& name, const std::vector<std::string>& candidates);
-
-/// "a, b, c"
-std::string joined(const std::vector<std::string>& words);
-
 }  // namespace cable_variation

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include <cable_variation/scene/fault_list.h>
+#include <cable_variation/scene/name_list.h>
 
 namespace cable_variation {
 namespace quantity {

@@ -1,4 +1,5 @@
 #include <cable_variation/scene/read_context.h>
+#include <cable_variation/scene/name_list.h>
 
 #include <algorithm>
 #include <cctype>

@@ -1,11 +1,14 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include <cable_variation/scene/regular_file.h>
-#include <cable_variation/scene/scene_reader.h>
 
 namespace cable_variation {
+
+/// Finds the folder of a package for package:// addresses; empty: not found.
+using PackageFinder = std::function<std::string(const std::string& package)>;
 
 /// A file that a package:// or file:// address names.
 struct ResourceFile {

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <functional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include <cable_variation/scene/resource_address.h>
 #include <cable_variation/scene/scene.h>
 #include <cable_variation/scene/scene_fault.h>
 
@@ -19,9 +19,6 @@ class SceneError : public std::invalid_argument {
  private:
   std::vector<SceneFault> faults_;
 };
-
-/// Finds the folder of a package for package:// addresses; empty: not found.
-using PackageFinder = std::function<std::string(const std::string& package)>;
 
 /// Reads and checks a scene file (YAML); Scene::warnings has what is possible but hardly meant. Throws
 /// SceneError.

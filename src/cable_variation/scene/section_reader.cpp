@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <tuple>
 
+#include <cable_variation/scene/name_list.h>
+
 namespace cable_variation {
 namespace {
 

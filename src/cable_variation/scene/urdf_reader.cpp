@@ -14,6 +14,7 @@
 #include <cable_variation/scene/quantity.h>
 #include <cable_variation/scene/regular_file.h>
 #include <cable_variation/scene/urdf_structure.h>
+#include <cable_variation/scene/name_list.h>
 
 namespace cable_variation {
 namespace {

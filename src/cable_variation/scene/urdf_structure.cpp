@@ -7,7 +7,7 @@
 
 #include <tinyxml2.h>
 
-#include <cable_variation/scene/fault_list.h>
+#include <cable_variation/scene/name_list.h>
 
 namespace cable_variation {
 namespace {

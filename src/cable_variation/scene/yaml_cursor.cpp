@@ -1,4 +1,5 @@
 #include <cable_variation/scene/yaml_cursor.h>
+#include <cable_variation/scene/name_list.h>
 
 #include <algorithm>
 #include <cmath>
