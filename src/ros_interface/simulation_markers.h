@@ -5,7 +5,7 @@
 #include <cable_variation/Legend.h>
 
 #include <cable_variation/variation/simulation.h>
-#include <ros_interface/simulation_task.h>
+#include <ros_interface/variation_figure.h>
 
 namespace cable_variation_ros {
 

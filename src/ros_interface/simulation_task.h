@@ -6,11 +6,9 @@
 
 #include <cable_variation/scene/design.h>
 #include <cable_variation/variation/simulation.h>
+#include <ros_interface/variation_figure.h>
 
 namespace cable_variation_ros {
-
-/// What colours the cables.
-enum class VariationFigure { six_sigma, range };
 
 /// What a request for a simulation asks for, checked and with its defaults.
 struct SimulationTask {

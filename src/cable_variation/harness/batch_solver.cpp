@@ -9,6 +9,7 @@
 
 #include <cable_variation/harness/discretisation.h>
 #include <cable_variation/harness/lane_system.h>
+#include <cable_variation/harness/minimise.h>
 #include <cable_variation/harness/smallest_eigenvalue.h>
 
 namespace cable_variation {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include <cable_variation/harness/equilibrium.h>
+#include <cable_variation/harness/minimise.h>
 #include <cable_variation/harness/problem.h>
 
 namespace cable_variation {

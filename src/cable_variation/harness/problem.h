@@ -3,8 +3,8 @@
 #include <memory>
 
 #include <cable_variation/harness/grid.h>
-#include <cable_variation/harness/minimise.h>
 #include <cable_variation/harness/rod_system.h>
+#include <cable_variation/harness/solve_tolerance.h>
 
 namespace cable_variation {
 

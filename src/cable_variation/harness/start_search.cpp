@@ -10,6 +10,7 @@
 #include <cable_variation/harness/equilibrium_result.h>
 #include <cable_variation/harness/initial_shape.h>
 #include <cable_variation/harness/slide_starts.h>
+#include <cable_variation/harness/minimise.h>
 #include <cable_variation/harness/twist.h>
 
 namespace cable_variation {
