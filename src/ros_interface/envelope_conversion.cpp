@@ -30,6 +30,18 @@ bool isOf(const Measure& measure, const EnvelopeClearance& clearance, const Scen
          (contains(measure.cables, *clearance.other) && contains(measure.other_cables, clearance.cable));
 }
 
+std::uint8_t toKind(EnvelopeClearance::Kind kind) {
+  switch (kind) {
+    case EnvelopeClearance::Kind::together:
+      return ClearanceResult::TOGETHER;
+    case EnvelopeClearance::Kind::production:
+      return ClearanceResult::PRODUCTION;
+    case EnvelopeClearance::Kind::bodies:
+      break;
+  }
+  return ClearanceResult::BODIES;
+}
+
 ClearanceResult toResult(const Scene& scene, const std::vector<std::string>& variables,
                          const EnvelopeClearance& clearance) {
   ClearanceResult result;
@@ -37,8 +49,7 @@ ClearanceResult toResult(const Scene& scene, const std::vector<std::string>& var
   result.component = clearance.component;
   if (clearance.other) result.other_cable = scene.harness.cables[*clearance.other].name;
   result.distance = clearance.distance;
-  result.kind = clearance.kind == EnvelopeClearance::Kind::together ? ClearanceResult::TOGETHER
-                                                                    : ClearanceResult::BODIES;
+  result.kind = toKind(clearance.kind);
   result.margin = clearance.margin;
   result.random_shapes = static_cast<std::uint32_t>(clearance.random_shapes);
   result.between_bodies = clearance.between_bodies;

@@ -2,14 +2,19 @@
 // search.
 #include <cable_variation/variation/envelope_clearance.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 #include <string>
 
 #include <gtest/gtest.h>
 
+#include <cable_variation/math/normal.h>
 #include <cable_variation/scene/scene_reader.h>
 #include <cable_variation/variation/cable_view.h>
+#include <cable_variation/variation/closest_solved.h>
 #include <cable_variation/variation/joint_between.h>
+#include <cable_variation/variation/statistical_envelope.h>
 #include <cable_variation/variation/tolerance_space.h>
 
 #include "envelope_scenes.h"
@@ -175,12 +180,146 @@ TEST(pair_clearance, the_way_between_cables_goes_along_others) {
   EXPECT_EQ(way(kA, kC)->on_other, 0.3);
 }
 
+// Of a share of production.
+Found ofProduction(const Scene& scene, double probability, std::uint64_t seed = 1) {
+  EnvelopeOptions options;
+  options.variables = allOf(scene.design_variables.size());
+  options.probability = probability;
+  options.verification = 0;
+  options.seed = seed;
+  options.frames = clearanceFrames(scene, options);
+  EquilibriumSolver solver = solverOf(scene);
+  if (!solver.solve(scene.harness).converged()) throw std::runtime_error("not solved");
+  const ComponentParts parts;
+  ClosestSolved closest(scene, options, parts, solver);
+  Found found{generateEnvelope(scene, options, solver, {}, closest.witness()), {}};
+  const auto pairOf = [&](const ClosestSolved* known) {
+    for (const EnvelopeClearance& each :
+         clearances(scene, found.envelope, options, parts, solver, {}, known)) {
+      if (each.other) return each;
+    }
+    throw std::runtime_error("no pair");
+  };
+  found.pair = pairOf(nullptr);
+  // what was measured on the way is the same, but for what earlier looks held
+  const EnvelopeClearance known = pairOf(&closest);
+  EXPECT_LE(known.distance, found.pair.distance + 1e-7);
+  EXPECT_EQ(known.kind, Kind::production);
+  return found;
+}
+
+TEST(pair_clearance, of_production_what_moves_together_never_meets) {
+  constexpr double kGap = 0.02;
+  Scene scene = twoRods({0.0, 0.0, kGap}, Vector3d::UnitX());
+  addVariable(scene, "lift", ComponentTranslation{0, Axis::z}, -0.03, 0.03);
+  const EnvelopeClearance pair = ofProduction(scene, 0.99).pair;
+  EXPECT_LT(pair.between_bodies, 0.0);
+  EXPECT_EQ(pair.kind, Kind::production);
+  EXPECT_NEAR(pair.worst_sample, kGap - 2.0 * kRadius, 1e-7);
+  EXPECT_EQ(pair.distance, pair.worst_sample);
+}
+
+// One rod goes up and down by a normal distribution: the distance that a share keeps is a quantile.
+TEST(pair_clearance, of_production_is_a_distance_that_the_share_keeps) {
+  constexpr double kTolerance = 0.006, kSigma = kTolerance / 3.0, kGap = 2.0 * kRadius + 0.0035;
+  Scene scene = twoRods({0.0, 0.0, kGap}, Vector3d::UnitX());
+  addVariable(scene, "lift", ClipTranslation{1, Axis::z}, -kTolerance, kTolerance);
+  constexpr double kProbability = 0.98;
+  int more = 0;
+  constexpr int kSeeds = 8;
+  for (int seed = 1; seed <= kSeeds; ++seed) {
+    const Found found = ofProduction(scene, kProbability, static_cast<std::uint64_t>(seed));
+    const double closer = normalShare((found.pair.distance - (kGap - 2.0 * kRadius)) / kSigma);
+    if (closer > 1.0 - kProbability) ++more;
+    EXPECT_GT(closer, 0.1 * (1.0 - kProbability)) << "much less than production does";
+    // 4 % of production meet: an envelope of 98 % holds some of them
+    EXPECT_LT(found.pair.distance, 0.0);
+    EXPECT_EQ(found.pair.distance, found.pair.worst_sample);
+  }
+  EXPECT_LE(more, 2);  // each with at most 5 % probability
+  // and one of 60 % none
+  EXPECT_GT(ofProduction(scene, 0.6).pair.distance, 0.0);
+}
+
+// The least distance of two cables by brute force along both, apart from where they hang together.
+double leastBetween(const Harness& harness, const Equilibrium& equilibrium, const EnvelopeClearance& pair) {
+  const CableShape &first = equilibrium.shapes[pair.cable], &second = equilibrium.shapes[*pair.other];
+  const double way = 4.0 * (first.radius + second.radius);
+  const auto joint = jointBetween(harness, pair.cable, *pair.other);
+  if (!joint) throw std::runtime_error("not joined");
+  constexpr double kStep = 0.002;
+  std::vector<Vector3d> points;
+  for (double t = 0.0; t <= second.points.back().arc_length; t += kStep) points.push_back(second.position(t));
+  double least = 1.0;
+  for (double s = 0.0; s <= first.points.back().arc_length; s += kStep) {
+    const Vector3d point = first.position(s);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      if (std::abs(s - joint->on_first) + std::abs(static_cast<double>(k) * kStep - joint->on_second) < way)
+        continue;
+      least = std::min(least, (point - points[k]).norm() - first.radius - second.radius);
+    }
+  }
+  return least;
+}
+
+Scene shipped(const std::string& name) {
+  const std::string root = CABLE_VARIATION_SOURCE_DIR;
+  return readScene(root + "/config/" + name + ".yaml", [&](const std::string&) { return root; });
+}
+
+// All that its design varies, by shapes drawn here by other means.
+TEST(pair_clearance, of_production_of_the_shipped_harness_is_true_and_warns_of_nothing) {
+  const Scene scene = shipped("harness");
+  constexpr double kProbability = 0.98;
+  const Found found = ofProduction(scene, kProbability);
+  EXPECT_EQ(found.pair.kind, Kind::production);
+  EXPECT_GT(found.pair.distance, 0.0);
+  EXPECT_EQ(found.pair.random_shapes, found.envelope.containment.shapes - found.envelope.containment.outside);
+
+  EquilibriumSolver solver = solverOf(scene);
+  ASSERT_TRUE(solver.solve(scene.harness).converged());
+  // the distance that was found belongs to the deviations told
+  const auto at = [&](const Eigen::VectorXd& deviations) {
+    DesignValues values;
+    for (std::size_t k = 0; k < scene.design_variables.size(); ++k) {
+      const DesignVariable& variable = scene.design_variables[k];
+      values[variable.name] = variable.nominal + deviations[static_cast<Eigen::Index>(k)];
+    }
+    const Harness harness = harnessAt(scene, values);
+    EquilibriumSolver aside = solver;
+    const Equilibrium equilibrium = aside.update(harness);
+    if (!equilibrium.converged()) throw std::runtime_error("not solved");
+    return leastBetween(harness, equilibrium, found.pair);
+  };
+  EXPECT_NEAR(at(found.pair.deviations), found.pair.distance, 2e-4);
+  // harnesses as they are made
+  std::mt19937_64 random(11);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> even(-1.0, 1.0);
+  constexpr int kDrawn = 1500;
+  int closer = 0;
+  for (int i = 0; i < kDrawn; ++i) {
+    Eigen::VectorXd deviations(static_cast<Eigen::Index>(scene.design_variables.size()));
+    for (Eigen::Index k = 0; k < deviations.size(); ++k) {
+      const DesignVariable& variable = scene.design_variables[static_cast<std::size_t>(k)];
+      const double tolerance = variable.upper;
+      if (variable.distribution == "uniform") {
+        deviations[k] = tolerance * even(random);
+      } else if (variable.distribution == "triangular") {
+        deviations[k] = 0.5 * tolerance * (even(random) + even(random));
+      } else {
+        deviations[k] = tolerance / 3.0 * normal(random);
+      }
+    }
+    if (at(deviations) < found.pair.distance) ++closer;
+  }
+  EXPECT_LE(closer, (1.0 - kProbability) * kDrawn);
+}
+
 // Shipped, with its breakout: what is told holds for harnesses drawn and solved here, and is no false alarm.
 TEST(pair_clearance, of_shipped_harnesses_holds_and_warns_of_nothing) {
   for (const std::string name : {"harness", "harness_clipped"}) {
-    const std::string root = CABLE_VARIATION_SOURCE_DIR;
-    const Scene scene =
-        readScene(root + "/config/" + name + ".yaml", [&](const std::string&) { return root; });
+    const Scene scene = shipped(name);
     EnvelopeOptions options;
     options.variables = {0, 1, 2, 5, 6, 7};
     const Found found = between(scene, options);
@@ -193,8 +332,6 @@ TEST(pair_clearance, of_shipped_harnesses_holds_and_warns_of_nothing) {
     const CounterRandom random(77, 1);
     EquilibriumSolver solver = solverOf(scene);
     ASSERT_TRUE(solver.solve(scene.harness).converged());
-    const auto& radii = solver.update(scene.harness).shapes;
-    const double way = 4.0 * (radii[pair.cable].radius + radii[*pair.other].radius);
     double least = 1.0;
     for (std::uint64_t i = 0; i < 400; ++i) {
       RandomRow numbers(random, i);
@@ -209,17 +346,7 @@ TEST(pair_clearance, of_shipped_harnesses_holds_and_warns_of_nothing) {
       const Harness harness = harnessAt(scene, values);
       const Equilibrium drawn = aside.update(harness);
       ASSERT_TRUE(drawn.converged());
-      // brute force along both
-      const CableShape &first = drawn.shapes[pair.cable], &second = drawn.shapes[*pair.other];
-      const auto joint = jointBetween(harness, pair.cable, *pair.other);
-      ASSERT_TRUE(joint);
-      for (double s = 0.0; s <= first.points.back().arc_length; s += 0.002) {
-        for (double t = 0.0; t <= second.points.back().arc_length; t += 0.002) {
-          if (std::abs(s - joint->on_first) + std::abs(t - joint->on_second) < way) continue;
-          least =
-              std::min(least, (first.position(s) - second.position(t)).norm() - first.radius - second.radius);
-        }
-      }
+      least = std::min(least, leastBetween(harness, drawn, pair));
     }
     EXPECT_LE(pair.distance, least) << name;
     EXPECT_GE(pair.distance, least - 2e-3) << name;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -77,6 +78,13 @@ struct Containment {
   double arc_length = 0.0;  ///< [m]
 };
 
+/// The harnesses of production that an envelope of a share of it was verified with, by their numbers in the
+/// sequence of productionSampler().
+struct ProductionDraws {
+  std::uint64_t first = 0, count = 0;
+  std::vector<std::uint64_t> outside;  ///< of them, that the envelope does not hold, in order
+};
+
 /// The envelope's volume beside that of the union of shapes within the tolerances, on one grid of voxels.
 struct Tightness {
   double envelope_volume = 0.0;  ///< [m³]
@@ -102,6 +110,7 @@ struct Envelope {
   double motion_excess = 0.0;         ///< the largest of the phases [m]
   double discretisation_error = 0.0;  ///< largest estimate among the samples [m]
   Containment containment;
+  ProductionDraws draws;  ///< with a probability
   Tightness tightness;
   std::vector<std::string> warnings;
   double solve_time = 0.0;   ///< for the envelope, random shapes to find what it lacks included [s]

@@ -16,6 +16,7 @@
 #include <cable_variation/variation/closest_solved.h>
 #include <cable_variation/variation/open_parts.h>
 #include <cable_variation/variation/pair_search.h>
+#include <cable_variation/variation/production_pairs.h>
 #include <cable_variation/variation/sample_follower.h>
 
 namespace cable_variation {
@@ -72,6 +73,18 @@ void judgeTogether(ClearanceSpot& spot, const ToleranceSpace& tolerances, const 
   if (options.conservative) clearance.margin = 2.0 * std::max(search.tolerance, found->closer);
 }
 
+// Of a share of production: harnesses drawn from it, and no others. The design itself may be none that is
+// made.
+void judgeInProduction(ClearanceSpot& spot, const Envelope& envelope,
+                       std::optional<SampleDistance>& closest) {
+  if (!closest) return;
+  EnvelopeClearance& clearance = spot.clearance;
+  clearance.kind = EnvelopeClearance::Kind::production;
+  clearance.random_shapes = envelope.draws.count - envelope.draws.outside.size();
+  clearance.worst_sample = closest->pair.distance;
+  takePlaceOf(*closest, clearance);
+}
+
 // What samples solved again tell of the spot.
 void complete(ClearanceSpot& spot, const ToleranceSpace& tolerances, const EnvelopeOptions& options,
               const ClearanceOptions& clearance_options, SampleShapes& shapes,
@@ -96,15 +109,18 @@ void complete(ClearanceSpot& spot, const ToleranceSpace& tolerances, const Envel
   std::optional<SampleDistance> worst = closestDesign(shapes, spot.exact);
   clearance.nominal = worst ? worst->pair.distance : std::numeric_limits<double>::infinity();
   clearance.nominal_time = worst ? worst->time : 0.0;
+  clearance.between_bodies = clearance.distance;
+  if (clearance.other && shapes.envelope().probability > 0.0) {
+    clearance.worst_sample = std::numeric_limits<double>::infinity();
+    judgeInProduction(spot, shapes.envelope(), closest);
+    return;
+  }
   for (const std::size_t sample : spot.samples) {
     const auto found = distanceOf(shapes, sample, spot.exact);
     if (found && (!worst || found->pair.distance < worst->pair.distance)) worst = found;
   }
   if (closest && (!worst || closest->pair.distance < worst->pair.distance)) worst = std::move(closest);
-  clearance.between_bodies = clearance.distance;
-  // harnesses at their worst together are not what a share of production is
-  if (clearance.other && shapes.envelope().probability == 0.0)
-    judgeTogether(spot, tolerances, options, clearance_options, shapes, worst);
+  if (clearance.other) judgeTogether(spot, tolerances, options, clearance_options, shapes, worst);
   if (worst && worst->pair.side == ClosestPair::Side::undecided) clearance.undecided = true;
   clearance.worst_sample = worst ? worst->pair.distance : std::numeric_limits<double>::infinity();
   if (!worst) return;
@@ -155,16 +171,27 @@ std::vector<EnvelopeClearance> clearances(const Scene& scene, const Envelope& en
       needed.insert(shapes.designSample(phase));
     }
     shapes.prepare({needed.begin(), needed.end()});
+    std::vector<std::optional<SampleDistance>> known(spots.size());
+    for (std::size_t i = 0; closest != nullptr && i < spots.size(); ++i) {
+      const EnvelopeClearance& of = spots[i].clearance;
+      known[i] = of.other ? closest->toCable(of.cable, *of.other)
+                          : closest->toComponent(of.cable, componentIndex(scene, of.component));
+    }
+    if (closest == nullptr && envelope.probability > 0.0) {
+      std::vector<std::size_t> pairs;
+      std::vector<ExactDistance> distances;
+      for (std::size_t i = 0; i < spots.size(); ++i) {
+        if (!spots[i].clearance.other) continue;
+        pairs.push_back(i);
+        distances.push_back(spots[i].exact);
+      }
+      auto found = closestInProduction(scene, options, shapes, distances, clearance_options.check);
+      for (std::size_t k = 0; k < pairs.size(); ++k) known[pairs[k]] = std::move(found[k]);
+    }
     result.resize(spots.size());
     tbb::parallel_for(std::size_t{0}, spots.size(), [&](std::size_t i) {
       if (clearance_options.check) clearance_options.check();
-      const EnvelopeClearance& of = spots[i].clearance;
-      std::optional<SampleDistance> known;
-      if (closest != nullptr) {
-        known = of.other ? closest->toCable(of.cable, *of.other)
-                         : closest->toComponent(of.cable, componentIndex(scene, of.component));
-      }
-      complete(spots[i], tolerances, options, clearance_options, shapes, std::move(known));
+      complete(spots[i], tolerances, options, clearance_options, shapes, std::move(known[i]));
       result[i] = std::move(spots[i].clearance);
     });
   });

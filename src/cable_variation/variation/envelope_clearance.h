@@ -33,13 +33,16 @@ struct EnvelopeClearance {
                               ///< can
   /// What `distance` is a figure of.
   enum class Kind {
-    bodies,   ///< between convex bodies that hold all shapes, each at any time of a phase: a bound
-    together  ///< of two cables in one and the same harness at one time: the closest that a search down the
-              ///< slopes and random shapes have found, less `margin`; between bodies where that is more
+    bodies,     ///< between convex bodies that hold all shapes, each at any time of a phase: a bound
+    together,   ///< of two cables in one and the same harness at one time: the closest that a search down the
+                ///< slopes and random shapes have found, less `margin`; between bodies where that is more
+    production  ///< likewise, of an envelope of a share of production: the closest of the `random_shapes`
+                ///< that were drawn to verify it and are held. At least that share of production keeps this
+                ///< distance and is held, with 95 % confidence, if that was shown of the envelope.
   };
   Kind kind = Kind::bodies;
   double margin = 0.0;  ///< twice what the search leaves, or what random shapes show it to have left [m]
-  std::size_t random_shapes = 0;  ///< looked at after the search, independent of it
+  std::size_t random_shapes = 0;  ///< looked at after the search, independent of it, or drawn and held
   double between_bodies = 0.0;    ///< the bound for cables whose shapes may be any of their bodies' [m]
   PartOpenness openness;          ///< of the component
   bool undecided = false;         ///< whether a cable is inside of it where it is open: counted as outside
@@ -74,7 +77,7 @@ using SampleSolver = std::function<SolvedSample(const EnvelopeSample&)>;
 
 /// Of each cable of the envelope to each component that has a mesh, then of each two cables; left out is
 /// what wholly lies near clips or joints. A piece of the envelope counts as a whole if a part of it is
-/// further from them than is skipped. Between cables, harnesses that can be are measured, see Kind::together;
+/// further from them than is skipped. Between cables, harnesses that can be are measured, see Kind;
 /// sections near joints are left out to the millimetre, by the way through the joint.
 /// @param options as the envelope was made with @param parts prepared before; the rest is prepared
 /// @param solver the design's shape to follow

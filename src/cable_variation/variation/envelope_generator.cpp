@@ -56,8 +56,6 @@ constexpr double kConfidence = 0.95;
 constexpr double kFirstSearch = 0.6;
 // Tell the random numbers of all kinds of shapes apart, and from those of a PointSet.
 constexpr std::uint32_t kContainmentStream = 3, kTightnessStream = 4;
-// Tells production drawn for an envelope from that of a simulation with the same seed.
-constexpr std::uint64_t kProduction = 0x9e3779b97f4a7c15;
 
 void requirePositive(const char* name, double value, const char* unit) {
   if (value > 0.0 && std::isfinite(value)) return;
@@ -344,8 +342,7 @@ class Generator {
 
   void holdProduction() {
     const StatisticalPlan plan = planFor(options_.probability, options_.verification, stretches_.size());
-    const Sampler sampler(space_.scene(), options_.variables, SamplerType::monte_carlo, plan.samples(),
-                          options_.seed ^ kProduction);
+    const Sampler sampler = productionSampler(space_.scene(), options_, plan.samples());
     const StatisticalResult result =
         holdShareOfProduction(searches_, sampler, plan, witness_, [&](double share, std::size_t done) {
           report_({share < 0.4 ? "shapes" : "containment", 0.9 * share, done, options_.from});
@@ -353,6 +350,7 @@ class Generator {
     envelope_.probability = plan.probability;
     envelope_.inflation = result.inflation;
     envelope_.containment = result.containment;
+    envelope_.draws = result.draws;
     if (!result.shown) {
       warn(envelope_, "that ", 100.0 * plan.probability, " % of production is held could not be shown in ",
            result.looks, " looks at fresh shapes: up to ", 100.0 * result.containment.outside_bound,
@@ -464,8 +462,9 @@ class Generator {
     std::optional<Sampler> production;
     if (options_.probability > 0.0 && options_.tightness > 0) {
       check.emplace(searches_);
-      production.emplace(space_.scene(), options_.variables, SamplerType::monte_carlo, options_.tightness,
-                         ~options_.seed ^ kProduction);
+      EnvelopeOptions others = options_;
+      others.seed = ~options_.seed;
+      production.emplace(productionSampler(space_.scene(), others, options_.tightness));
     }
     const ToleranceSpace& tolerances = space_.tolerances();
     const auto draw = [&](std::size_t index) -> std::optional<StretchShape> {

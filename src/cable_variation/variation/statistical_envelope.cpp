@@ -33,6 +33,8 @@ constexpr double kWorthwhile = 5e-5;
 constexpr double kFirstError = 0.04, kErrorLeft = 0.2;
 // The inflation is chosen so that verification succeeds with this probability.
 constexpr double kLikely = 0.9;
+// Tells production drawn for an envelope from that of a simulation with the same seed.
+constexpr std::uint64_t kProduction = 0x9e3779b97f4a7c15;
 // An end that does not vary more than this does not vary [m].
 constexpr double kStill = 1e-5;
 
@@ -174,6 +176,10 @@ StatisticalPlan planFor(double probability, std::size_t verification, std::size_
   return plan;
 }
 
+Sampler productionSampler(const Scene& scene, const EnvelopeOptions& options, std::uint64_t count) {
+  return {scene, options.variables, SamplerType::monte_carlo, count, options.seed ^ kProduction};
+}
+
 SamplePlace productionPlace(const Sampler& sampler, std::uint64_t index, double time) {
   SamplePlace place{Eigen::VectorXd(static_cast<Eigen::Index>(sampler.variableCount())), time};
   sampler.sample(index, place.deviations.data());
@@ -264,12 +270,16 @@ StatisticalResult holdShareOfProduction(std::vector<PhaseSearch>& searches, cons
     options.inflation = result.inflation;
     ContainmentCount count(result.inflation);
     result.snapped.clear();
+    result.draws = {drawn, plan.verification, {}};
     lookInBlocks(searches, plan.verification, drawNext, options,
-                 [&](std::size_t /*first*/, const std::vector<RandomShape>& shapes) {
+                 [&](std::size_t first, const std::vector<RandomShape>& shapes) {
                    count.add(shapes, search.follower().reader().stretches());
-                   for (const RandomShape& shape : shapes) {
+                   for (std::size_t i = 0; i < shapes.size(); ++i) {
+                     const RandomShape& shape = shapes[i];
                      protrusions.push_back(protrusionOf(shape));
                      if (shape.jump.size() > 0) result.snapped.push_back(shape);
+                     if (protrusions.back() > result.inflation)
+                       result.draws.outside.push_back(result.draws.first + first + i);
                    }
                  });
     result.containment = count.result(true, 1.0 - errorOfLook(result.looks));

@@ -4,6 +4,7 @@
 #include <functional>
 #include <vector>
 
+#include <cable_variation/variation/envelope_generator.h>
 #include <cable_variation/variation/envelope_verification.h>
 #include <cable_variation/variation/sampler.h>
 
@@ -31,6 +32,7 @@ StatisticalPlan planFor(double probability, std::size_t verification, std::size_
 struct StatisticalResult {
   double inflation = 0.0;            ///< [m]
   Containment containment;           ///< of the last look
+  ProductionDraws draws;             ///< likewise
   std::vector<RandomShape> snapped;  ///< of the last look
   int looks = 0;                     ///< at fresh shapes
   bool shown = false;                ///< that at least the probability is held, with 95 % confidence
@@ -60,6 +62,10 @@ struct StatisticalResult {
 StatisticalResult holdShareOfProduction(std::vector<PhaseSearch>& searches, const Sampler& sampler,
                                         const StatisticalPlan& plan, const SolvedWitness& witness,
                                         const std::function<void(double share, std::size_t done)>& progress);
+
+/// Draws the harnesses of production that an envelope is made of.
+/// @param options variables, seed @param count samples() of its plan
+Sampler productionSampler(const Scene& scene, const EnvelopeOptions& options, std::uint64_t count);
 
 /// Sample of production, by its number.
 SamplePlace productionPlace(const Sampler& sampler, std::uint64_t index, double time);
