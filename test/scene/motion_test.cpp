@@ -54,6 +54,12 @@ TEST(Tum, namesTheLineOfAFault) {
   EXPECT_EQ(refusal({"0 0 0 0 0 0 0 1", "# two", "1 0 0 0 0 0 0"}),
             ":3: a number is missing; expected time tx ty tz qx qy qz qw");
   EXPECT_EQ(refusal({"0 0 0 x 0 0 0 1"}), ":1: found 'x'; expected a finite number");
+  EXPECT_EQ(refusal({std::string("0 0 0 x\0\xff 0 0 0 1", 17)}),
+            ":1: found 'x\\x00\\xff'; expected a finite number");
+  EXPECT_EQ(refusal({std::string("\xff\xfe"
+                                 "0\0 \0",
+                                 6)}),
+            ":1: the file is in UTF-16; expected UTF-8");
   EXPECT_EQ(refusal({"0 0 0 1e999 0 0 0 1"}), ":1: found '1e999'; expected a finite number");
   EXPECT_EQ(refusal({"0 0 0 nan 0 0 0 1"}), ":1: found 'nan'; expected a finite number");
   EXPECT_EQ(refusal({"0 0 0 1m 0 0 0 1"}), ":1: found '1m'; expected a finite number");

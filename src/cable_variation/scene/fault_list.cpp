@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <cable_variation/scene/readable_text.h>
 #include <cable_variation/scene/scene_reader.h>
 
 namespace cable_variation {
@@ -18,27 +19,14 @@ std::vector<SceneFault> byLine(std::vector<SceneFault> faults) {
   return faults;
 }
 
-// Messages quote what they found, which may be all of a file.
-std::string readable(const std::string& message) {
-  constexpr std::size_t kMost = 2000, kEnd = 1000;  // bytes
-  if (message.size() <= kMost) return message;
-  const auto continues = [&](std::size_t at) {
-    return (static_cast<unsigned char>(message[at]) & 0xc0U) == 0x80U;
-  };
-  std::size_t from = kMost - kEnd, to = message.size() - kEnd;  // between characters of UTF-8
-  while (from > 0 && continues(from)) --from;
-  while (to < message.size() && continues(to)) ++to;
-  return message.substr(0, from) + " ... (" + std::to_string(to - from) + " bytes) ... " + message.substr(to);
-}
-
 }  // namespace
 
 void FaultList::add(int line, const std::string& message) {
-  faults_.push_back({file_, line, readable(message)});
+  faults_.push_back({file_, line, readableText(message)});
 }
 
 void FaultList::warn(int line, const std::string& message) {
-  warnings_.push_back({file_, line, readable(message)});
+  warnings_.push_back({file_, line, readableText(message)});
 }
 
 std::vector<SceneFault> FaultList::sorted() const { return byLine(faults_); }

@@ -12,7 +12,7 @@ class FaultList {
  public:
   explicit FaultList(std::string file) : file_(std::move(file)) {}
 
-  /// What is long enough to hide the rest of a message is left out of its middle.
+  /// The message is made readable, see readableText().
   void add(int line, const std::string& message);
   std::size_t count() const { return faults_.size(); }
   void warn(int line, const std::string& message);

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include <cable_variation/scene/motion_samples.h>
+#include <cable_variation/scene/readable_text.h>
 #include <cable_variation/scene/regular_file.h>
 #include <cable_variation/scene/resource_address.h>
 
@@ -30,14 +31,16 @@ TimedPose readLine(const std::string& line) {
     if (!(stream >> number) || !stream.eof() || !std::isfinite(number)) {
       if (word.find(',') != std::string::npos) {
         throw std::invalid_argument(
-            "found '" + word + "'; expected numbers parted by blanks, with a decimal point and no comma");
+            "found '" + readableText(word) +
+            "'; expected numbers parted by blanks, with a decimal point and no comma");
       }
-      throw std::invalid_argument("found '" + word + "'; expected a finite number");
+      throw std::invalid_argument("found '" + readableText(word) + "'; expected a finite number");
     }
   }
   std::string rest;
   if (words >> rest)
-    throw std::invalid_argument("found '" + rest + "' after the eighth number; expected no more");
+    throw std::invalid_argument("found '" + readableText(rest) +
+                                "' after the eighth number; expected no more");
 
   TimedPose sample;
   sample.time = value[0];
@@ -78,6 +81,8 @@ void readTum(const std::string& path, Motion& motion) {
   std::string line;
   for (int number = 1; std::getline(file, line); ++number) {
     if (number == 1 && line.compare(0, mark.size(), mark) == 0) line.erase(0, mark.size());
+    if (number == 1 && (line.compare(0, 2, "\xff\xfe") == 0 || line.compare(0, 2, "\xfe\xff") == 0))
+      throw std::invalid_argument(path + ":1: the file is in UTF-16; expected UTF-8");
     line.erase(std::min(line.find('#'), line.size()));
     if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
     try {
