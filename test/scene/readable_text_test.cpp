@@ -36,7 +36,9 @@ TEST(ReadableText, OfAnyBytesIsReadable) {
     for (char& byte : bytes) byte = static_cast<char>(random());
     const std::string shown = readableText(bytes);
     EXPECT_LE(shown.size(), 2100U);
-    if (shown.size() <= 2000U) EXPECT_EQ(readableText(shown), shown);
+    if (shown.size() <= 2000U) {
+      EXPECT_EQ(readableText(shown), shown);
+    }
     for (const char c : shown) EXPECT_TRUE(static_cast<unsigned char>(c) >= 0x20 && c != 0x7f);
   }
 }
