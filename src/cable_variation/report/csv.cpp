@@ -1,7 +1,8 @@
 #include <cable_variation/report/csv.h>
 
 #include <cmath>
-#include <cstdio>
+
+#include <cable_variation/math/number_text.h>
 
 namespace cable_variation::csv {
 
@@ -16,9 +17,7 @@ std::string text(const std::string& content) {
 
 std::string number(double value) {
   if (std::isnan(value)) return "nan";
-  char buffer[40];
-  std::snprintf(buffer, sizeof buffer, "%.17g", value);
-  return buffer;
+  return numberText(value);
 }
 
 std::string number(const std::optional<double>& value) { return value ? number(*value) : ""; }

@@ -1,7 +1,8 @@
 #include <cable_variation/report/markup.h>
 
 #include <cmath>
-#include <cstdio>
+
+#include <cable_variation/math/number_text.h>
 
 namespace cable_variation {
 
@@ -42,9 +43,7 @@ std::string escaped(const std::string& text) {
 std::string figure(double value, int digits) {
   if (std::isnan(value)) return "–";
   if (std::isinf(value)) return value > 0.0 ? "∞" : "−∞";
-  char text[40];
-  std::snprintf(text, sizeof text, "%.*g", digits, value == 0.0 ? 0.0 : value);
-  std::string result = text;
+  std::string result = numberText(value == 0.0 ? 0.0 : value, digits);
   // A true minus sign has the width of a digit.
   if (result[0] == '-') result.replace(0, 1, "−");
   return result;

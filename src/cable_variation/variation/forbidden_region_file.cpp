@@ -9,17 +9,12 @@
 #include <stdexcept>
 #include <system_error>
 
+#include <cable_variation/math/number_text.h>
+
 namespace cable_variation {
 namespace {
 
 constexpr char kFirstLine[] = "# cable_variation forbidden region, version 1";
-
-// The shortest that is read back as the same number.
-std::string exact(double value) {
-  char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof buffer, value).ptr;
-  return {buffer, end};
-}
 
 bool isPlain(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' ||
@@ -126,7 +121,8 @@ class Reader {
     range("t", from_, to_);
     branch_ = count(field("branch"), "branch");
     radius_ = number(field("r"), "r");
-    if (radius_ < 0.0) fail("object '" + name + "': radius " + exact(radius_) + " m, expected at least 0");
+    if (radius_ < 0.0)
+      fail("object '" + name + "': radius " + numberText(radius_) + " m, expected at least 0");
     if (!rest.empty()) fail("object '" + name + "': '" + rest + "' is too much");
     in_piece_ = true;
     first_vertex_ += vertices_.size();
@@ -166,7 +162,7 @@ class Reader {
 
   double number(const std::string& word, const std::string& what) const {
     double value = 0.0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    const auto [end, error] = readNumber(word, value);
     if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(value)) {
       fail(what + ": '" + word + "' is no finite number");
     }
@@ -220,19 +216,20 @@ std::string regionText(const ForbiddenRegion& region) {
   text << kFirstLine << '\n'
        << "# All within its radius r of an object is forbidden. Lengths in metres, times in seconds.\n"
        << "# frame " << encoded(region.frame) << '\n'
-       << "# inflation " << exact(region.inflation) << '\n'
-       << "# probability " << exact(region.probability) << '\n'
+       << "# inflation " << numberText(region.inflation) << '\n'
+       << "# probability " << numberText(region.probability) << '\n'
        << "# shapes " << region.shapes << '\n'
-       << "# protrusion " << exact(region.protrusion) << '\n'
+       << "# protrusion " << numberText(region.protrusion) << '\n'
        << "# pieces " << region.pieces.size() << '\n';
   std::size_t first = 1;
   for (const ForbiddenRegion::Piece& piece : region.pieces) {
-    text << "o cable=" << encoded(piece.cable) << ";s=" << exact(piece.start) << ".." << exact(piece.end)
-         << ";t=" << exact(piece.from) << ".." << exact(piece.to) << ";branch=" << piece.branch
-         << ";r=" << exact(piece.body.radius) << '\n';
+    text << "o cable=" << encoded(piece.cable) << ";s=" << numberText(piece.start) << ".."
+         << numberText(piece.end) << ";t=" << numberText(piece.from) << ".." << numberText(piece.to)
+         << ";branch=" << piece.branch << ";r=" << numberText(piece.body.radius) << '\n';
     const TriangleMesh& surface = piece.body.core.surface();
     for (const Eigen::Vector3d& vertex : surface.vertices) {
-      text << "v " << exact(vertex.x()) << ' ' << exact(vertex.y()) << ' ' << exact(vertex.z()) << '\n';
+      text << "v " << numberText(vertex.x()) << ' ' << numberText(vertex.y()) << ' ' << numberText(vertex.z())
+           << '\n';
     }
     for (const auto& [a, b, c] : surface.triangles) {
       text << "f " << first + a << ' ' << first + b << ' ' << first + c << '\n';

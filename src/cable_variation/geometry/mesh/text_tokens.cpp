@@ -1,7 +1,9 @@
 #include <cable_variation/geometry/mesh/text_tokens.h>
 
-#include <charconv>
 #include <cmath>
+#include <system_error>
+
+#include <cable_variation/math/number_text.h>
 
 namespace cable_variation {
 namespace {
@@ -46,7 +48,7 @@ bool TextTokens::atEnd() {
 std::optional<double> numberIn(std::string_view word) {
   if (!word.empty() && word.front() == '+') word.remove_prefix(1);
   double value = 0.0;
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  const auto [end, error] = readNumber(word, value);
   if (end != word.data() + word.size()) return std::nullopt;
   if (error == std::errc::result_out_of_range) {
     // too small to be told from 0, or too large: the exponent's sign tells
