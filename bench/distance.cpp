@@ -10,11 +10,10 @@
 #include <stdexcept>
 #include <vector>
 
-#include <fcl/geometry/bvh/BVH_model.h>
-#include <fcl/narrowphase/distance.h>
-
 #include <cable_variation/geometry/distance.h>
+#include <cable_variation/geometry/fcl_model.h>
 
+#include "fcl_distance.h"
 #include "ring.h"
 
 namespace cable_variation::bench {
@@ -99,14 +98,12 @@ void toPartAgain(benchmark::State& state) {
 }
 
 // Pieces as chords, each a triangle with two corners in the same place: no radius, no arcs between.
-using Model = fcl::BVHModel<fcl::RSSd>;
+using Model = fcl::BVHModel<fcl_types::RectangleSweptSphere>;
 
 std::shared_ptr<Model> model(const std::vector<Eigen::Vector3d>& vertices,
                              const std::vector<fcl::Triangle>& triangles) {
   auto made = std::make_shared<Model>();
-  made->beginModel(static_cast<int>(triangles.size()), static_cast<int>(vertices.size()));
-  made->addSubModel(vertices, triangles);
-  made->endModel();
+  fill(*made, vertices, triangles);
   return made;
 }
 
@@ -125,12 +122,12 @@ void toPartByFcl(benchmark::State& state) {
   const TriangleMesh mesh = ringOf50000();
   std::vector<fcl::Triangle> triangles;
   for (const auto& [a, b, c] : mesh.triangles) triangles.emplace_back(a, b, c);
-  const fcl::CollisionObjectd against(model(mesh.vertices, triangles));
-  fcl::DistanceResultd result;
+  const fcl_types::Object against(model(mesh.vertices, triangles));
+  fcl_types::DistanceResult result;
   for (auto _ : state) {
-    const fcl::CollisionObjectd moved(chords(cable));
+    const fcl_types::Object moved(chords(cable));
     result.clear();
-    fcl::distance(&moved, &against, fcl::DistanceRequestd(), result);
+    fcl::distance(&moved, &against, fcl_types::DistanceRequest(), result);
     benchmark::DoNotOptimize(result);
   }
   state.counters["distance_mm"] = 1e3 * (result.min_distance - kRadius);

@@ -3,12 +3,12 @@
 #include <stdexcept>
 #include <string>
 
-#include <fcl/geometry/bvh/BVH_model.h>
+#include <cable_variation/geometry/fcl_model.h>
 
 namespace cable_variation {
 namespace {
 
-using Model = fcl::BVHModel<fcl::AABBd>;
+using Model = fcl::BVHModel<fcl_types::Box>;
 constexpr int kLeaf = 4;  // triangles: some boxes less to test, few triangles more
 
 void check(const TriangleMesh& mesh) {
@@ -32,9 +32,7 @@ void build(const TriangleMesh& mesh, Model& model) {
   std::vector<fcl::Triangle> triangles;
   triangles.reserve(mesh.triangles.size());
   for (const auto& [a, b, c] : mesh.triangles) triangles.emplace_back(a, b, c);
-  model.beginModel(static_cast<int>(triangles.size()), static_cast<int>(mesh.vertices.size()));
-  model.addSubModel(mesh.vertices, triangles);
-  if (const int fault = model.endModel(); fault != fcl::BVH_OK) {
+  if (const int fault = fill(model, mesh.vertices, triangles); fault != fcl::BVH_OK) {
     throw std::runtime_error("part: FCL cannot build its hierarchy, code " + std::to_string(fault));
   }
 }

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 
-#include <tbb/info.h>
 #include <tbb/task_arena.h>
 
 namespace cable_variation {
 
 void withThreads(std::size_t threads, const std::function<void()>& work) {
-  const auto cores = static_cast<std::size_t>(tbb::info::default_concurrency());
+  const auto cores = static_cast<std::size_t>(tbb::task_arena().max_concurrency());
   tbb::task_arena arena(threads == 0 ? tbb::task_arena::automatic
                                      : static_cast<int>(std::min(threads, cores)));
   arena.execute(work);

@@ -10,9 +10,9 @@
 #include <stdexcept>
 
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_pipeline.h>
 #include <tbb/task_arena.h>
 
+#include <cable_variation/math/pipeline.h>
 #include <cable_variation/math/seconds_since.h>
 #include <cable_variation/math/thread_limit.h>
 #include <cable_variation/variation/chosen_indices.h>
@@ -225,7 +225,7 @@ class Simulator {
     using Pointer = std::shared_ptr<SampleBlock>;
     bool whole = true;  // no block was left
     const auto first = tbb::make_filter<void, std::uint64_t>(
-        tbb::filter_mode::serial_in_order, [&](tbb::flow_control& control) -> std::uint64_t {
+        PipelineMode::serial_in_order, [&](tbb::flow_control& control) -> std::uint64_t {
           if (next >= end || watch_.ended()) {
             control.stop();
             return 0;
@@ -234,14 +234,12 @@ class Simulator {
           next = std::min(end, next + kBlock);
           return at;
         });
-    const auto work =
-        tbb::make_filter<std::uint64_t, Pointer>(tbb::filter_mode::parallel, [&](std::uint64_t at) {
-          const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(kBlock, end - at));
-          return std::make_shared<SampleBlock>(
-              workers.local().solve(at, count, [&] { return watch_.goesOn(); }));
-        });
+    const auto work = tbb::make_filter<std::uint64_t, Pointer>(PipelineMode::parallel, [&](std::uint64_t at) {
+      const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(kBlock, end - at));
+      return std::make_shared<SampleBlock>(workers.local().solve(at, count, [&] { return watch_.goesOn(); }));
+    });
     const auto collect =
-        tbb::make_filter<Pointer, void>(tbb::filter_mode::serial_in_order, [&](const Pointer& block) {
+        tbb::make_filter<Pointer, void>(PipelineMode::serial_in_order, [&](const Pointer& block) {
           whole = whole && block->complete;
           if (whole) take(*block, end);
         });

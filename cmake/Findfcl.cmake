@@ -1,0 +1,17 @@
+# FCL as the target fcl: by its own CMake package, or by pkg-config where it brings none, as FCL 0.5 of Ubuntu 20.04.
+find_package(fcl CONFIG QUIET)
+if(NOT TARGET fcl)
+  find_package(PkgConfig QUIET)
+  pkg_check_modules(pc_fcl QUIET IMPORTED_TARGET fcl)
+  if(TARGET PkgConfig::pc_fcl)
+    add_library(fcl INTERFACE IMPORTED)
+    target_link_libraries(fcl INTERFACE PkgConfig::pc_fcl)
+    set(fcl_VERSION ${pc_fcl_VERSION})
+  endif()
+endif()
+
+if(TARGET fcl)
+  set(fcl_target fcl)
+endif()
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(fcl REQUIRED_VARS fcl_target VERSION_VAR fcl_VERSION)
