@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include <cable_variation/harness/batch_solver.h>
-#include <cable_variation/rod/element_kernel.h>
-#include <cable_variation/scene/scene_reader.h>
+#include <cable_variation/equilibrium/batch_solver.h>
+#include <cable_variation/rod/kernel/element_kernel.h>
+#include <cable_variation/scene_file/scene_reader.h>
 #include <harness/cases.h>
 
 #include "reference_case.h"

@@ -8,8 +8,8 @@
 #include <numeric>
 #include <stdexcept>
 
-#include <cable_variation/variation/envelope_clearance.h>
-#include <cable_variation/variation/envelope_generator.h>
+#include <cable_variation/envelope/clearance/envelope_clearance.h>
+#include <cable_variation/envelope/envelope_generator.h>
 
 #include "shipped_case.h"
 #include "variation/hand_held.h"

@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include <cable_variation/geometry/body_distance.h>
+#include <cable_variation/geometry/body/body_distance.h>
 
 #include "ring.h"
 

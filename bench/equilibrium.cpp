@@ -8,9 +8,9 @@
 #include <stdexcept>
 #include <vector>
 
-#include <cable_variation/harness/grid.h>
-#include <cable_variation/harness/minimise.h>
-#include <cable_variation/rod/element_kernel.h>
+#include <cable_variation/equilibrium/discretisation/grid.h>
+#include <cable_variation/equilibrium/search/minimise.h>
+#include <cable_variation/rod/kernel/element_kernel.h>
 #include <harness/cases.h>
 
 #include "reference_case.h"

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include <cable_variation/harness/equilibrium.h>
+#include <cable_variation/equilibrium/equilibrium.h>
 
 namespace cable_variation::bench {
 

@@ -5,7 +5,7 @@
 
 #include <Eigen/Geometry>
 
-#include <cable_variation/geometry/tube.h>
+#include <cable_variation/geometry/tube_distance/tube.h>
 
 namespace cable_variation::bench {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include <cable_variation/scene/scene_reader.h>
+#include <cable_variation/scene_file/scene_reader.h>
 
 namespace cable_variation::bench {
 

@@ -10,7 +10,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include <cable_variation/variation/simulation.h>
+#include <cable_variation/simulation/simulation.h>
 #include <variation/envelope_scenes.h>
 
 #include "shipped_case.h"

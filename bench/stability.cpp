@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include <cable_variation/variation/stability_analysis.h>
+#include <cable_variation/sensitivity/stability_analysis.h>
 
 #include "shipped_case.h"
 

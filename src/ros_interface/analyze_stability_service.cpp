@@ -4,7 +4,7 @@
 
 #include <ros/node_handle.h>
 
-#include <cable_variation/report/output_file.h>
+#include <cable_variation/util/output_file.h>
 #include <cable_variation/report/page.h>
 #include <cable_variation/report/stability_section.h>
 #include <ros_interface/component_deviations.h>

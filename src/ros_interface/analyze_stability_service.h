@@ -6,7 +6,7 @@
 
 #include <cable_variation/AnalyzeStability.h>
 
-#include <cable_variation/variation/stability_analysis.h>
+#include <cable_variation/sensitivity/stability_analysis.h>
 #include <ros_interface/output_directory.h>
 
 namespace ros {

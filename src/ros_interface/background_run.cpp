@@ -1,6 +1,6 @@
 #include <ros_interface/background_run.h>
 
-#include <cable_variation/variation/envelope_generator.h>
+#include <cable_variation/envelope/envelope_generator.h>
 
 namespace cable_variation_ros {
 

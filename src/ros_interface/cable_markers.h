@@ -4,7 +4,7 @@
 
 #include <visualization_msgs/MarkerArray.h>
 
-#include <cable_variation/harness/equilibrium.h>
+#include <cable_variation/equilibrium/equilibrium.h>
 #include <ros_interface/marker_shapes.h>
 
 namespace cable_variation_ros {

@@ -5,10 +5,10 @@
 
 #include <ros/node_handle.h>
 
-#include <cable_variation/geometry/mesh_reader.h>
-#include <cable_variation/variation/component_parts.h>
-#include <cable_variation/variation/forbidden_region.h>
-#include <cable_variation/variation/open_parts.h>
+#include <cable_variation/geometry/mesh/mesh_reader.h>
+#include <cable_variation/measures/component_parts.h>
+#include <cable_variation/envelope/forbidden_region.h>
+#include <cable_variation/measures/open_parts.h>
 #include <ros_interface/clearance_markers.h>
 #include <ros_interface/interference_publisher.h>
 #include <ros_interface/message_conversion.h>

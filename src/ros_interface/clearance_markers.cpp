@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <map>
 
-#include <cable_variation/variation/component_parts.h>
+#include <cable_variation/measures/component_parts.h>
 #include <ros_interface/envelope_conversion.h>
 #include <ros_interface/marker_colours.h>
 #include <ros_interface/marker_shapes.h>

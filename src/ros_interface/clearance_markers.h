@@ -4,7 +4,7 @@
 
 #include <visualization_msgs/MarkerArray.h>
 
-#include <cable_variation/variation/envelope_clearance.h>
+#include <cable_variation/envelope/clearance/envelope_clearance.h>
 #include <ros_interface/interference_markers.h>
 
 namespace cable_variation_ros {

@@ -5,7 +5,7 @@
 #include <functional>
 #include <map>
 
-#include <cable_variation/geometry/tube.h>
+#include <cable_variation/geometry/tube_distance/tube.h>
 #include <ros_interface/marker_shapes.h>
 #include <ros_interface/names.h>
 

@@ -7,7 +7,7 @@
 #include <cable_variation/Legend.h>
 
 #include <cable_variation/scene/scene.h>
-#include <cable_variation/variation/component_variation.h>
+#include <cable_variation/sensitivity/component_variation.h>
 
 namespace cable_variation_ros {
 

@@ -6,12 +6,12 @@
 #include <limits>
 #include <sstream>
 
-#include <cable_variation/geometry/mesh_volume.h>
-#include <cable_variation/geometry/outer_surface.h>
-#include <cable_variation/scene/quantity.h>
-#include <cable_variation/variation/closest_solved.h>
-#include <cable_variation/variation/envelope_clearance.h>
-#include <cable_variation/variation/envelope_memory.h>
+#include <cable_variation/geometry/mesh/mesh_volume.h>
+#include <cable_variation/geometry/body/outer_surface.h>
+#include <cable_variation/util/quantity.h>
+#include <cable_variation/envelope/clearance/closest_solved.h>
+#include <cable_variation/envelope/clearance/envelope_clearance.h>
+#include <cable_variation/envelope/envelope_memory.h>
 #include <ros_interface/clearance_markers.h>
 #include <ros_interface/component_deviations.h>
 #include <ros_interface/envelope_conversion.h>

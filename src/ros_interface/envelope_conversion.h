@@ -7,7 +7,7 @@
 
 #include <cable_variation/GenerateEnvelope.h>
 
-#include <cable_variation/variation/envelope_clearance.h>
+#include <cable_variation/envelope/clearance/envelope_clearance.h>
 
 namespace cable_variation_ros {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <cable_variation/variation/envelope_clearance.h>
+#include <cable_variation/envelope/clearance/envelope_clearance.h>
 #include <ros_interface/design_values.h>
 #include <ros_interface/name_lookup.h>
 #include <ros_interface/output_directory.h>

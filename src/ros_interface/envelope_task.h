@@ -6,7 +6,7 @@
 #include <cable_variation/GenerateEnvelope.h>
 
 #include <cable_variation/scene/design.h>
-#include <cable_variation/variation/envelope_generator.h>
+#include <cable_variation/envelope/envelope_generator.h>
 
 namespace cable_variation_ros {
 

@@ -3,7 +3,7 @@
 #include <ros/service_server.h>
 
 #include <cable_variation/GetScene.h>
-#include <cable_variation/variation/open_parts.h>
+#include <cable_variation/measures/open_parts.h>
 
 namespace ros {
 class NodeHandle;

@@ -6,7 +6,7 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <cable_variation/scene/scene.h>
-#include <cable_variation/variation/measure_evaluation.h>
+#include <cable_variation/measures/measure_evaluation.h>
 
 namespace cable_variation_ros {
 

@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 #include <visualization_msgs/Marker.h>
 
-#include <cable_variation/geometry/triangle_mesh.h>
+#include <cable_variation/geometry/mesh/triangle_mesh.h>
 #include <cable_variation/math/pose.h>
 
 namespace cable_variation_ros {

@@ -4,7 +4,7 @@
 #include <cable_variation/MeasureResult.h>
 
 #include <cable_variation/scene/scene.h>
-#include <cable_variation/variation/measure_evaluation.h>
+#include <cable_variation/measures/measure_evaluation.h>
 
 namespace cable_variation_ros {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include <cable_variation/harness/bend_radius.h>
+#include <cable_variation/equilibrium/bend_radius.h>
 #include <ros_interface/names.h>
 
 namespace cable_variation_ros {

@@ -11,7 +11,7 @@
 #include <cable_variation/CableState.h>
 #include <cable_variation/SolveEquilibrium.h>
 
-#include <cable_variation/harness/equilibrium.h>
+#include <cable_variation/equilibrium/equilibrium.h>
 #include <cable_variation/math/pose.h>
 
 namespace cable_variation_ros {

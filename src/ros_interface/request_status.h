@@ -6,7 +6,7 @@
 
 #include <cable_variation/Status.h>
 
-#include <cable_variation/harness/equilibrium.h>
+#include <cable_variation/equilibrium/equilibrium.h>
 
 namespace cable_variation_ros {
 

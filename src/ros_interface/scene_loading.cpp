@@ -8,9 +8,9 @@
 #include <cable_variation/Status.h>
 
 #include <cable_variation/scene/motion_samples.h>
-#include <cable_variation/scene/plausibility.h>
+#include <cable_variation/scene_file/plausibility.h>
 #include <cable_variation/scene/resource_address.h>
-#include <cable_variation/scene/scene_reader.h>
+#include <cable_variation/scene_file/scene_reader.h>
 #include <ros_interface/bag_motion.h>
 #include <ros_interface/request_status.h>
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include <cable_variation/scene/regular_file.h>
+#include <cable_variation/util/regular_file.h>
 #include <cable_variation/scene/scene.h>
 
 namespace cable_variation_ros {

@@ -4,7 +4,7 @@
 
 #include <cable_variation/Legend.h>
 
-#include <cable_variation/harness/equilibrium.h>
+#include <cable_variation/equilibrium/equilibrium.h>
 #include <cable_variation/scene/scene.h>
 
 namespace cable_variation_ros {

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include <cable_variation/scene/scene.h>
-#include <cable_variation/variation/stability_analysis.h>
+#include <cable_variation/sensitivity/stability_analysis.h>
 
 namespace cable_variation_ros {
 

@@ -1,7 +1,7 @@
 #include <ros_interface/simulation_files.h>
 
 #include <cable_variation/report/cable_variation_section.h>
-#include <cable_variation/report/output_file.h>
+#include <cable_variation/util/output_file.h>
 #include <cable_variation/report/page.h>
 #include <cable_variation/report/sample_csv.h>
 #include <cable_variation/report/simulation_section.h>

@@ -5,7 +5,7 @@
 
 #include <cable_variation/SimulateVariation.h>
 
-#include <cable_variation/variation/simulation.h>
+#include <cable_variation/simulation/simulation.h>
 #include <ros_interface/output_directory.h>
 
 namespace cable_variation_ros {

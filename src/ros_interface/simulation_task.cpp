@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-#include <cable_variation/variation/envelope_memory.h>
+#include <cable_variation/envelope/envelope_memory.h>
 
 #include <ros_interface/design_values.h>
 #include <ros_interface/name_lookup.h>

@@ -5,7 +5,7 @@
 #include <cable_variation/SimulateVariation.h>
 
 #include <cable_variation/scene/design.h>
-#include <cable_variation/variation/simulation.h>
+#include <cable_variation/simulation/simulation.h>
 #include <ros_interface/variation_figure.h>
 
 namespace cable_variation_ros {

@@ -6,7 +6,7 @@
 #include <ros/node_handle.h>
 
 #include <cable_variation/scene/moving_components.h>
-#include <cable_variation/variation/open_parts.h>
+#include <cable_variation/measures/open_parts.h>
 #include <ros_interface/design_values.h>
 #include <ros_interface/measure_conversion.h>
 #include <ros_interface/message_conversion.h>

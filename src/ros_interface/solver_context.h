@@ -4,10 +4,10 @@
 #include <optional>
 #include <string>
 
-#include <cable_variation/harness/equilibrium.h>
+#include <cable_variation/equilibrium/equilibrium.h>
 #include <cable_variation/scene/design.h>
-#include <cable_variation/variation/stability_analysis.h>
-#include <cable_variation/variation/varied_design.h>
+#include <cable_variation/sensitivity/stability_analysis.h>
+#include <cable_variation/tolerances/varied_design.h>
 
 namespace cable_variation_ros {
 

@@ -2,8 +2,8 @@
 
 #include <cable_variation/AnalyzeStability.h>
 
-#include <cable_variation/variation/component_variation.h>
-#include <cable_variation/variation/stability_analysis.h>
+#include <cable_variation/sensitivity/component_variation.h>
+#include <cable_variation/sensitivity/stability_analysis.h>
 
 namespace cable_variation_ros {
 

@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <fstream>
 
-#include <cable_variation/geometry/outer_surface.h>
+#include <cable_variation/geometry/body/outer_surface.h>
 #include <cable_variation/scene/resource_address.h>
-#include <cable_variation/variation/simulation.h>
-#include <cable_variation/variation/stability_analysis.h>
+#include <cable_variation/simulation/simulation.h>
+#include <cable_variation/sensitivity/stability_analysis.h>
 
 #include "elastica.h"
 #include "fault_scene.h"

@@ -1,13 +1,13 @@
-#include <cable_variation/geometry/body_distance.h>
+#include <cable_variation/geometry/body/body_distance.h>
 
 #include <cmath>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
 
-#include <cable_variation/geometry/placed_body.h>
-#include <cable_variation/geometry/primitives.h>
-#include <cable_variation/geometry/triangle_pair.h>
+#include <cable_variation/geometry/body/placed_body.h>
+#include <cable_variation/geometry/body/primitives.h>
+#include <cable_variation/geometry/tube_distance/triangle_pair.h>
 #include <geometry/body_oracle.h>
 
 namespace cable_variation {

@@ -4,7 +4,7 @@
 
 #include <geometry/distance_oracle.h>
 
-#include <cable_variation/geometry/convex_hull.h>
+#include <cable_variation/geometry/body/convex_hull.h>
 
 /// Brute force for convex bodies: every pair of triangles, in extended precision and by other formulae than
 /// the library's.

@@ -1,5 +1,5 @@
 // Distances between cables: closed forms, and brute force with and without a joint.
-#include <cable_variation/geometry/distance.h>
+#include <cable_variation/geometry/tube_distance/distance.h>
 
 #include <cmath>
 #include <iostream>

@@ -7,7 +7,7 @@
 
 #include <Eigen/Geometry>
 
-#include <cable_variation/geometry/triangle_mesh.h>
+#include <cable_variation/geometry/mesh/triangle_mesh.h>
 
 namespace cable_variation {
 

@@ -1,4 +1,4 @@
-#include <cable_variation/geometry/convex_hull.h>
+#include <cable_variation/geometry/body/convex_hull.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
 // Shells as exporters write them: what is damaged and means the same solid has the same inside and depth;
 // what is open says so, and tells inside from outside where its winding number does.
-#include <cable_variation/geometry/distance.h>
+#include <cable_variation/geometry/tube_distance/distance.h>
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include <cable_variation/geometry/body_distance.h>
+#include <cable_variation/geometry/body/body_distance.h>
 #include <cable_variation/geometry/mesh/welded_surface.h>
 #include <geometry/damaged_shells.h>
 #include <geometry/distance_oracle.h>

@@ -7,9 +7,9 @@
 
 #include <Eigen/Geometry>
 
-#include <cable_variation/geometry/primitives.h>
-#include <cable_variation/geometry/triangle_mesh.h>
-#include <cable_variation/geometry/tube.h>
+#include <cable_variation/geometry/body/primitives.h>
+#include <cable_variation/geometry/mesh/triangle_mesh.h>
+#include <cable_variation/geometry/tube_distance/tube.h>
 #include <geometry/distance_oracle.h>
 
 /// Closed shells, and what exporters do to them: damage that leaves the solid what it was.

@@ -1,14 +1,14 @@
 // Distances of cables to parts against brute force, in cases that break distance codes: triangles of a
 // hundredth of a millimetre and of ten metres, slivers, edges parallel to the cable, a cable that pierces,
 // placements a hundred metres off.
-#include <cable_variation/geometry/distance.h>
+#include <cable_variation/geometry/tube_distance/distance.h>
 
 #include <cmath>
 #include <iostream>
 
 #include <gtest/gtest.h>
 
-#include <cable_variation/geometry/primitives.h>
+#include <cable_variation/geometry/body/primitives.h>
 #include <geometry/distance_oracle.h>
 
 namespace cable_variation {

@@ -1,6 +1,6 @@
 // Distances of cables to parts in closed form: clear, overlapping, pierced, inside; which way they change;
 // where else they are as small; stretches that do not count.
-#include <cable_variation/geometry/distance.h>
+#include <cable_variation/geometry/tube_distance/distance.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,9 +9,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cable_variation/geometry/part_vicinity.h>
-#include <cable_variation/geometry/primitives.h>
-#include <cable_variation/geometry/tube.h>
+#include <cable_variation/geometry/tube_distance/part_vicinity.h>
+#include <cable_variation/geometry/body/primitives.h>
+#include <cable_variation/geometry/tube_distance/tube.h>
 #include <cable_variation/math/so3.h>
 #include <geometry/distance_oracle.h>
 

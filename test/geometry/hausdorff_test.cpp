@@ -1,4 +1,4 @@
-#include <cable_variation/geometry/hausdorff.h>
+#include <cable_variation/geometry/tube_distance/hausdorff.h>
 
 #include <limits>
 #include <random>

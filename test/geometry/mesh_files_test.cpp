@@ -1,5 +1,5 @@
 // STL, OBJ and COLLADA files that are cut off, changed or hostile.
-#include <cable_variation/geometry/mesh_reader.h>
+#include <cable_variation/geometry/mesh/mesh_reader.h>
 
 #include <chrono>
 #include <cstring>
@@ -13,12 +13,12 @@
 
 #include <gtest/gtest.h>
 
-#include <cable_variation/geometry/distance.h>
+#include <cable_variation/geometry/tube_distance/distance.h>
 #include <cable_variation/geometry/mesh/collada_check.h>
 #include <cable_variation/geometry/mesh/obj_reader.h>
 #include <cable_variation/geometry/mesh/stl_reader.h>
-#include <cable_variation/geometry/mesh_volume.h>
-#include <cable_variation/geometry/primitives.h>
+#include <cable_variation/geometry/mesh/mesh_volume.h>
+#include <cable_variation/geometry/body/primitives.h>
 #include <geometry/distance_oracle.h>
 
 namespace cable_variation {

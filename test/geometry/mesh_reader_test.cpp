@@ -1,4 +1,4 @@
-#include <cable_variation/geometry/mesh_reader.h>
+#include <cable_variation/geometry/mesh/mesh_reader.h>
 
 #include <stdexcept>
 #include <string>

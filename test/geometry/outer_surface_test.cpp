@@ -1,4 +1,4 @@
-#include <cable_variation/geometry/outer_surface.h>
+#include <cable_variation/geometry/body/outer_surface.h>
 
 #include <algorithm>
 #include <atomic>

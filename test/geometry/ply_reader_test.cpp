@@ -8,8 +8,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cable_variation/geometry/mesh_volume.h>
-#include <cable_variation/geometry/primitives.h>
+#include <cable_variation/geometry/mesh/mesh_volume.h>
+#include <cable_variation/geometry/body/primitives.h>
 #include <geometry/distance_oracle.h>
 
 namespace cable_variation {

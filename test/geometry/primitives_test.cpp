@@ -1,4 +1,4 @@
-#include <cable_variation/geometry/primitives.h>
+#include <cable_variation/geometry/body/primitives.h>
 
 #include <cmath>
 #include <limits>

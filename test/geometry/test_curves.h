@@ -6,7 +6,7 @@
 #include <functional>
 #include <random>
 
-#include <cable_variation/geometry/centreline.h>
+#include <cable_variation/geometry/tube_distance/centreline.h>
 
 namespace cable_variation::test {
 

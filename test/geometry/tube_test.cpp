@@ -1,5 +1,5 @@
 // Swept tubes: watertight, facing outwards, of the right volume.
-#include <cable_variation/geometry/tube.h>
+#include <cable_variation/geometry/tube_distance/tube.h>
 
 #include <cmath>
 #include <map>

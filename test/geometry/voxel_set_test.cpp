@@ -1,4 +1,4 @@
-#include <cable_variation/geometry/voxel_set.h>
+#include <cable_variation/geometry/body/voxel_set.h>
 
 #include <cmath>
 #include <limits>

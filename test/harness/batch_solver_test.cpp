@@ -1,6 +1,6 @@
 // Many equilibria at once are those that EquilibriumSolver finds one by one.
 
-#include <cable_variation/harness/batch_solver.h>
+#include <cable_variation/equilibrium/batch_solver.h>
 
 #include <cmath>
 #include <random>
@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cable_variation/scene/scene_reader.h>
+#include <cable_variation/scene_file/scene_reader.h>
 #include <harness/case_table.h>
 
 namespace cable_variation::test {

@@ -1,5 +1,5 @@
 // The smallest bend radius of shapes whose curvature is known.
-#include <cable_variation/harness/bend_radius.h>
+#include <cable_variation/equilibrium/bend_radius.h>
 
 #include <cmath>
 #include <stdexcept>

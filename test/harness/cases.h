@@ -5,7 +5,7 @@
 #include <cmath>
 #include <string>
 
-#include <cable_variation/harness/equilibrium.h>
+#include <cable_variation/equilibrium/equilibrium.h>
 #include <cable_variation/math/so3.h>
 
 namespace cable_variation::test {

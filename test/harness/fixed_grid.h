@@ -3,9 +3,9 @@
 #include <random>
 #include <vector>
 
-#include <cable_variation/harness/grid.h>
-#include <cable_variation/harness/initial_shape.h>
-#include <cable_variation/harness/minimise.h>
+#include <cable_variation/equilibrium/discretisation/grid.h>
+#include <cable_variation/equilibrium/search/initial_shape.h>
+#include <cable_variation/equilibrium/search/minimise.h>
 
 namespace cable_variation::test {
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cable_variation/harness/smallest_eigenvalue.h>
+#include <cable_variation/equilibrium/search/smallest_eigenvalue.h>
 #include <harness/cases.h>
 #include <harness/fixed_grid.h>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cable_variation/harness/equilibrium.h>
+#include <cable_variation/equilibrium/equilibrium.h>
 #include <hunt/discrete_rod.h>
 #include <hunt/draw.h>
 

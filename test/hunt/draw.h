@@ -6,7 +6,7 @@
 
 #include <Eigen/Geometry>
 
-#include <cable_variation/math/counter_random.h>
+#include <cable_variation/util/counter_random.h>
 #include <hunt/rotation.h>
 
 namespace cable_variation::hunt {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include <cable_variation/harness/equilibrium.h>
+#include <cable_variation/equilibrium/equilibrium.h>
 
 namespace cable_variation::hunt {
 

@@ -7,7 +7,7 @@
 #include <iostream>
 #include <stdexcept>
 
-#include <cable_variation/scene/scene_reader.h>
+#include <cable_variation/scene_file/scene_reader.h>
 #include <hunt/run.h>
 #include <hunt/scene_writer.h>
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include <cable_variation/harness/equilibrium.h>
+#include <cable_variation/equilibrium/equilibrium.h>
 #include <hunt/discrete_rod.h>
 
 namespace cable_variation::hunt {

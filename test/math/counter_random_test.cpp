@@ -1,5 +1,5 @@
 // The generator against the known answers that its authors published, and simple statistics.
-#include <cable_variation/math/counter_random.h>
+#include <cable_variation/util/counter_random.h>
 
 #include <cmath>
 #include <limits>

@@ -1,6 +1,6 @@
 // Numbers as text: beside the C library's own in the plain locale, over doubles of every size, and in a
 // locale that writes commas, where there is one.
-#include <cable_variation/math/number_text.h>
+#include <cable_variation/util/number_text.h>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Files that are there complete or not at all, whoever else writes them, and whatever the disk says.
-#include <cable_variation/report/output_file.h>
+#include <cable_variation/util/output_file.h>
 
 #include <csignal>
 #include <cstdlib>

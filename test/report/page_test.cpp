@@ -13,7 +13,7 @@
 
 #include <cable_variation/report/chart.h>
 #include <cable_variation/report/markup.h>
-#include <cable_variation/report/output_file.h>
+#include <cable_variation/util/output_file.h>
 #include <report/well_formed.h>
 
 namespace cable_variation {

@@ -1,7 +1,7 @@
 // The element's derivatives against central differences of its energy, and its
 // invariance under rigid motions, for every instruction set this processor has.
 
-#include <cable_variation/rod/element_kernel.h>
+#include <cable_variation/rod/kernel/element_kernel.h>
 
 #include <random>
 #include <vector>

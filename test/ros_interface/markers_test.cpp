@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cable_variation/harness/equilibrium.h>
+#include <cable_variation/equilibrium/equilibrium.h>
 
 namespace cable_variation_ros {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cable_variation/scene/scene_reader.h>
+#include <cable_variation/scene_file/scene_reader.h>
 
 #include "test_packages.h"
 

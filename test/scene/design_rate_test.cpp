@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <cable_variation/math/so3.h>
-#include <cable_variation/scene/scene_reader.h>
+#include <cable_variation/scene_file/scene_reader.h>
 
 #include "test_packages.h"
 

@@ -1,5 +1,5 @@
 // What a scene says but hardly means is told, and what it may mean is not.
-#include <cable_variation/scene/scene_reader.h>
+#include <cable_variation/scene_file/scene_reader.h>
 
 #include <filesystem>
 #include <functional>

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cable_variation/scene/quantity.h>
+#include <cable_variation/util/quantity.h>
 
 namespace cable_variation {
 namespace {

@@ -1,4 +1,4 @@
-#include <cable_variation/scene/readable_text.h>
+#include <cable_variation/util/readable_text.h>
 
 #include <random>
 #include <string>

@@ -1,4 +1,4 @@
-#include <cable_variation/scene/scene_reader.h>
+#include <cable_variation/scene_file/scene_reader.h>
 
 #include <cmath>
 #include <filesystem>

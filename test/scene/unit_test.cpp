@@ -1,4 +1,4 @@
-#include <cable_variation/scene/unit.h>
+#include <cable_variation/util/unit.h>
 
 #include <cctype>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cable_variation/scene/quantity.h>
+#include <cable_variation/util/quantity.h>
 
 namespace cable_variation {
 namespace {

@@ -1,4 +1,4 @@
-#include <cable_variation/scene/urdf_reader.h>
+#include <cable_variation/scene_file/urdf_reader.h>
 
 #include <map>
 #include <string>
@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cable_variation/geometry/mesh_reader.h>
+#include <cable_variation/geometry/mesh/mesh_reader.h>
 #include <cable_variation/scene/resource_address.h>
 
 #include "test_packages.h"

@@ -1,5 +1,5 @@
 // URDFs that a parser could fall into: a fault in a moment, or read as they are.
-#include <cable_variation/scene/urdf_structure.h>
+#include <cable_variation/scene_file/urdf_structure.h>
 
 #include <chrono>
 #include <random>
@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cable_variation/geometry/mesh_reader.h>
+#include <cable_variation/geometry/mesh/mesh_reader.h>
 #include <cable_variation/scene/resource_address.h>
-#include <cable_variation/scene/urdf_reader.h>
+#include <cable_variation/scene_file/urdf_reader.h>
 
 #include "test_packages.h"
 

@@ -1,5 +1,5 @@
 // One document, whatever its line ends; nothing that hangs, explodes or is dropped in silence.
-#include <cable_variation/scene/yaml_document.h>
+#include <cable_variation/scene_file/yaml_document.h>
 
 #include <chrono>
 #include <random>
@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cable_variation/scene/yaml_cursor.h>
+#include <cable_variation/scene_file/yaml_cursor.h>
 
 namespace cable_variation {
 namespace {

@@ -1,5 +1,5 @@
 // Variation along a cable against stored samples.
-#include <cable_variation/variation/arc_variation.h>
+#include <cable_variation/statistics/arc_variation.h>
 
 #include <cmath>
 #include <limits>
@@ -9,7 +9,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include <cable_variation/math/counter_random.h>
+#include <cable_variation/util/counter_random.h>
 
 namespace cable_variation {
 namespace {

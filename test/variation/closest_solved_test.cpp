@@ -1,6 +1,6 @@
 // The closest of all harnesses solved for an envelope, against the distance of each of them by itself, and
 // against shapes drawn apart from them.
-#include <cable_variation/variation/closest_solved.h>
+#include <cable_variation/envelope/clearance/closest_solved.h>
 
 #include <algorithm>
 #include <map>
@@ -8,12 +8,12 @@
 
 #include <gtest/gtest.h>
 
-#include <cable_variation/geometry/distance.h>
+#include <cable_variation/geometry/tube_distance/distance.h>
 #include <cable_variation/scene/deviations.h>
-#include <cable_variation/scene/scene_reader.h>
-#include <cable_variation/variation/cable_view.h>
-#include <cable_variation/variation/clearance_skips.h>
-#include <cable_variation/variation/random_place.h>
+#include <cable_variation/scene_file/scene_reader.h>
+#include <cable_variation/measures/cable_view.h>
+#include <cable_variation/envelope/clearance/clearance_skips.h>
+#include <cable_variation/envelope/search/random_place.h>
 
 #include "envelope_scenes.h"
 

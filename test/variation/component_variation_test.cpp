@@ -1,5 +1,5 @@
 // A part's own variation against closed forms of its locating scheme and against samples of exact poses.
-#include <cable_variation/variation/component_variation.h>
+#include <cable_variation/sensitivity/component_variation.h>
 
 #include <array>
 #include <cmath>

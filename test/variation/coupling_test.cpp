@@ -1,4 +1,4 @@
-#include <cable_variation/variation/coupling.h>
+#include <cable_variation/sensitivity/coupling.h>
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Distributions of any parameters, drawn at random: cdf against the closed forms of mean and standard
 // deviation by quadrature, quantile against cdf, and correlated samples against the correlation that was
 // asked for.
-#include <cable_variation/variation/distribution.h>
+#include <cable_variation/tolerances/distribution.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +15,8 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <gtest/gtest.h>
 
-#include <cable_variation/math/counter_random.h>
-#include <cable_variation/variation/sampler.h>
+#include <cable_variation/util/counter_random.h>
+#include <cable_variation/tolerances/sampler.h>
 
 namespace cable_variation {
 namespace {

@@ -1,5 +1,5 @@
 // Distributions against closed forms, and mean and standard deviation against integrals of the quantile.
-#include <cable_variation/variation/distribution.h>
+#include <cable_variation/tolerances/distribution.h>
 
 #include <cmath>
 #include <map>

@@ -1,4 +1,4 @@
-#include <cable_variation/variation/envelope_clearance.h>
+#include <cable_variation/envelope/clearance/envelope_clearance.h>
 
 #include <cmath>
 #include <stdexcept>

@@ -1,6 +1,6 @@
 // Envelopes against closed forms of swept bodies, against shapes drawn and solved apart from them, and what
 // is refused.
-#include <cable_variation/variation/envelope_generator.h>
+#include <cable_variation/envelope/envelope_generator.h>
 
 #include <cmath>
 #include <stdexcept>
@@ -8,11 +8,11 @@
 
 #include <gtest/gtest.h>
 
-#include <cable_variation/scene/scene_reader.h>
-#include <cable_variation/variation/cable_view.h>
-#include <cable_variation/variation/confidence.h>
-#include <cable_variation/variation/random_place.h>
-#include <cable_variation/variation/tolerance_space.h>
+#include <cable_variation/scene_file/scene_reader.h>
+#include <cable_variation/measures/cable_view.h>
+#include <cable_variation/statistics/confidence.h>
+#include <cable_variation/envelope/search/random_place.h>
+#include <cable_variation/tolerances/tolerance_space.h>
 
 #include "envelope_scenes.h"
 #include "test_packages.h"

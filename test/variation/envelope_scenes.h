@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include <cable_variation/variation/envelope_generator.h>
+#include <cable_variation/envelope/envelope_generator.h>
 
 #include "solved_scene.h"
 

@@ -1,4 +1,4 @@
-#include <cable_variation/variation/forbidden_region.h>
+#include <cable_variation/envelope/forbidden_region.h>
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cable_variation/geometry/primitives.h>
+#include <cable_variation/geometry/body/primitives.h>
 #include <geometry/body_oracle.h>
 #include <variation/solved_scene.h>
 

@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cable_variation/math/counter_random.h>
-#include <cable_variation/variation/simulation.h>
-#include <cable_variation/variation/stability_analysis.h>
+#include <cable_variation/util/counter_random.h>
+#include <cable_variation/simulation/simulation.h>
+#include <cable_variation/sensitivity/stability_analysis.h>
 
 #include "envelope_scenes.h"
 

@@ -7,10 +7,10 @@
 
 #include <gtest/gtest.h>
 
-#include <cable_variation/geometry/hausdorff.h>
+#include <cable_variation/geometry/tube_distance/hausdorff.h>
 #include <cable_variation/scene/cable_property.h>
-#include <cable_variation/variation/cable_view.h>
-#include <cable_variation/variation/measure_evaluation.h>
+#include <cable_variation/measures/cable_view.h>
+#include <cable_variation/measures/measure_evaluation.h>
 
 #include <harness/case_table.h>
 #include <variation/solved_scene.h>

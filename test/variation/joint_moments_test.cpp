@@ -1,12 +1,12 @@
 // Streamed and merged moments against sums over the stored samples.
-#include <cable_variation/variation/joint_moments.h>
+#include <cable_variation/statistics/joint_moments.h>
 
 #include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include <cable_variation/math/counter_random.h>
+#include <cable_variation/util/counter_random.h>
 
 namespace cable_variation {
 namespace {

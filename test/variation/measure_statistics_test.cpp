@@ -1,6 +1,6 @@
 // Statistics of measures against stored samples and closed forms; intervals by counting, over 1,000 seeds,
 // how often they hold the true figure.
-#include <cable_variation/variation/measure_statistics.h>
+#include <cable_variation/statistics/measure_statistics.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,9 +12,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cable_variation/math/counter_random.h>
+#include <cable_variation/util/counter_random.h>
 #include <cable_variation/math/normal.h>
-#include <cable_variation/variation/point_set.h>
+#include <cable_variation/tolerances/point_set.h>
 
 namespace cable_variation {
 namespace {

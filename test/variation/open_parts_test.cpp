@@ -1,16 +1,16 @@
 // Parts that are open say so in every answer that looks at them, with what their winding number tells; closed
 // ones, however badly they were exported, say nothing.
-#include <cable_variation/variation/open_parts.h>
+#include <cable_variation/measures/open_parts.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include <cable_variation/variation/envelope_clearance.h>
-#include <cable_variation/variation/envelope_generator.h>
-#include <cable_variation/variation/simulation.h>
-#include <cable_variation/variation/stability_analysis.h>
+#include <cable_variation/envelope/clearance/envelope_clearance.h>
+#include <cable_variation/envelope/envelope_generator.h>
+#include <cable_variation/simulation/simulation.h>
+#include <cable_variation/sensitivity/stability_analysis.h>
 
 #include <variation/envelope_scenes.h>
 

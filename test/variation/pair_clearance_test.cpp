@@ -1,6 +1,6 @@
 // Clearances of two cables: against closed forms, and against harnesses drawn and solved apart from the
 // search.
-#include <cable_variation/variation/envelope_clearance.h>
+#include <cable_variation/envelope/clearance/envelope_clearance.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,12 +10,12 @@
 #include <gtest/gtest.h>
 
 #include <cable_variation/math/normal.h>
-#include <cable_variation/scene/scene_reader.h>
-#include <cable_variation/variation/cable_view.h>
-#include <cable_variation/variation/closest_solved.h>
-#include <cable_variation/variation/joint_between.h>
-#include <cable_variation/variation/statistical_envelope.h>
-#include <cable_variation/variation/tolerance_space.h>
+#include <cable_variation/scene_file/scene_reader.h>
+#include <cable_variation/measures/cable_view.h>
+#include <cable_variation/envelope/clearance/closest_solved.h>
+#include <cable_variation/measures/joint_between.h>
+#include <cable_variation/envelope/statistical_envelope.h>
+#include <cable_variation/tolerances/tolerance_space.h>
 
 #include "envelope_scenes.h"
 #include "test_packages.h"

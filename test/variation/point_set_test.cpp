@@ -1,5 +1,5 @@
 // Points of the unit cube: their stratification, counted; their randomness, by statistics over seeds.
-#include <cable_variation/variation/point_set.h>
+#include <cable_variation/tolerances/point_set.h>
 
 #include <cmath>
 #include <map>

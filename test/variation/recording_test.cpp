@@ -1,6 +1,6 @@
 // Envelopes over recordings as of a hand-held camera: nothing sticks out at any time, memory is bounded, and
 // what is made coarser is told.
-#include <cable_variation/variation/envelope_generator.h>
+#include <cable_variation/envelope/envelope_generator.h>
 
 #include <sys/resource.h>
 
@@ -10,8 +10,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cable_variation/geometry/box.h>
-#include <cable_variation/variation/motion_phases.h>
+#include <cable_variation/geometry/mesh/box.h>
+#include <cable_variation/tracking/motion_phases.h>
 
 #include "envelope_scenes.h"
 #include "hand_held.h"

@@ -1,5 +1,5 @@
 // Quantiles and histograms of streams against the sorted values.
-#include <cable_variation/variation/sample_histogram.h>
+#include <cable_variation/statistics/sample_histogram.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cable_variation/math/counter_random.h>
+#include <cable_variation/util/counter_random.h>
 #include <cable_variation/math/normal.h>
-#include <cable_variation/variation/sample_distribution.h>
+#include <cable_variation/tolerances/sample_distribution.h>
 
 namespace cable_variation {
 namespace {

@@ -1,5 +1,5 @@
 // Samples of design variables against their distributions, regions and correlations.
-#include <cable_variation/variation/sampler.h>
+#include <cable_variation/tolerances/sampler.h>
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +12,8 @@
 #include <gtest/gtest.h>
 
 #include <cable_variation/math/normal.h>
-#include <cable_variation/variation/latent_correlation.h>
-#include <cable_variation/variation/tolerances.h>
+#include <cable_variation/tolerances/latent_correlation.h>
+#include <cable_variation/tolerances/tolerances.h>
 
 namespace cable_variation {
 namespace {

@@ -1,6 +1,6 @@
 // Samples of a made-up scene, some of them not solved: all are counted, and blocks merge into the same
 // figures.
-#include <cable_variation/variation/simulation_statistics.h>
+#include <cable_variation/simulation/simulation_statistics.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,8 +10,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cable_variation/variation/sampler.h>
-#include <cable_variation/variation/tolerances.h>
+#include <cable_variation/tolerances/sampler.h>
+#include <cable_variation/tolerances/tolerances.h>
 
 namespace cable_variation {
 namespace {

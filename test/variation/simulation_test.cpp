@@ -1,6 +1,6 @@
 // Production simulated: rigid rods with closed forms, the shipped harness against the solver itself, a strip
 // that snaps, threads, ends and motions.
-#include <cable_variation/variation/simulation.h>
+#include <cable_variation/simulation/simulation.h>
 
 #include <array>
 #include <cmath>
@@ -12,8 +12,8 @@
 
 #include <gtest/gtest.h>
 
-#include <cable_variation/scene/scene_reader.h>
-#include <cable_variation/variation/worst_over_motion.h>
+#include <cable_variation/scene_file/scene_reader.h>
+#include <cable_variation/simulation/worst_over_motion.h>
 
 #include "envelope_scenes.h"
 

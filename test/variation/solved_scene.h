@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include <cable_variation/geometry/primitives.h>
-#include <cable_variation/variation/measure_evaluation.h>
+#include <cable_variation/geometry/body/primitives.h>
+#include <cable_variation/measures/measure_evaluation.h>
 
 #include <harness/cases.h>
 

@@ -1,4 +1,4 @@
-#include <cable_variation/variation/stability_analysis.h>
+#include <cable_variation/sensitivity/stability_analysis.h>
 
 #include <cmath>
 #include <stdexcept>

@@ -1,6 +1,6 @@
 // Envelopes of a share of production: whether the share is true, by samples drawn and placed here, and how
 // much more than it is held.
-#include <cable_variation/variation/statistical_envelope.h>
+#include <cable_variation/envelope/statistical_envelope.h>
 
 #include <cmath>
 #include <random>
@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <cable_variation/math/normal.h>
-#include <cable_variation/variation/confidence.h>
+#include <cable_variation/statistics/confidence.h>
 
 #include "envelope_scenes.h"
 

@@ -1,5 +1,5 @@
 // What the tolerances allow together, by what is known of even distributions.
-#include <cable_variation/variation/tolerance_space.h>
+#include <cable_variation/tolerances/tolerance_space.h>
 
 #include <cmath>
 #include <string>

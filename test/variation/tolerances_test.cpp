@@ -1,5 +1,5 @@
 // Spread and worst case of design variables together, against sampling of the regions and closed forms.
-#include <cable_variation/variation/tolerances.h>
+#include <cable_variation/tolerances/tolerances.h>
 
 #include <cmath>
 #include <random>

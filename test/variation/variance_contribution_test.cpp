@@ -1,5 +1,5 @@
 // Contributions of variables to variance, against closed forms and a direct least-squares fit.
-#include <cable_variation/variation/variance_contribution.h>
+#include <cable_variation/simulation/variance_contribution.h>
 
 #include <array>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <Eigen/QR>
 #include <gtest/gtest.h>
 
-#include <cable_variation/math/counter_random.h>
+#include <cable_variation/util/counter_random.h>
 #include <cable_variation/math/normal.h>
 
 namespace cable_variation {

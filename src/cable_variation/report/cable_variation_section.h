@@ -2,7 +2,7 @@
 
 #include <cable_variation/report/section.h>
 #include <cable_variation/scene/scene.h>
-#include <cable_variation/variation/simulation.h>
+#include <cable_variation/simulation/simulation.h>
 
 namespace cable_variation {
 

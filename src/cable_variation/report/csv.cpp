@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include <cable_variation/math/number_text.h>
+#include <cable_variation/util/number_text.h>
 
 namespace cable_variation::csv {
 

@@ -13,7 +13,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
-#include <cable_variation/geometry/convex_cover.h>
+#include <cable_variation/geometry/body/convex_cover.h>
 #include <cable_variation/report/markup.h>
 #include <cable_variation/report/stl.h>
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include <cable_variation/variation/sample_histogram.h>
+#include <cable_variation/statistics/sample_histogram.h>
 
 namespace cable_variation {
 

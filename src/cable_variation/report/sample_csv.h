@@ -7,7 +7,7 @@
 #include <vector>
 
 #include <cable_variation/scene/scene.h>
-#include <cable_variation/variation/simulation_statistics.h>
+#include <cable_variation/simulation/simulation_statistics.h>
 
 namespace cable_variation {
 

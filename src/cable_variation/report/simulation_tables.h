@@ -6,7 +6,7 @@
 
 #include <cable_variation/report/section.h>
 #include <cable_variation/scene/scene.h>
-#include <cable_variation/variation/simulation_statistics.h>
+#include <cable_variation/simulation/simulation_statistics.h>
 
 namespace cable_variation {
 

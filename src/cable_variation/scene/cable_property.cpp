@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include <cable_variation/scene/quantity.h>
+#include <cable_variation/util/quantity.h>
 
 namespace cable_variation {
 namespace {

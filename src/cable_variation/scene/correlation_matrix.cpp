@@ -6,8 +6,8 @@
 
 #include <Eigen/Eigenvalues>
 
-#include <cable_variation/scene/name_list.h>
-#include <cable_variation/scene/quantity.h>
+#include <cable_variation/util/name_list.h>
+#include <cable_variation/util/quantity.h>
 
 namespace cable_variation {
 

@@ -6,7 +6,7 @@
 
 #include <cable_variation/math/so3.h>
 #include <cable_variation/scene/locating_scheme.h>
-#include <cable_variation/scene/quantity.h>
+#include <cable_variation/util/quantity.h>
 
 namespace cable_variation {
 namespace {

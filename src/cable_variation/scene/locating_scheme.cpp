@@ -7,7 +7,7 @@
 #include <Eigen/LU>
 #include <Eigen/SVD>
 
-#include <cable_variation/scene/quantity.h>
+#include <cable_variation/util/quantity.h>
 
 namespace cable_variation {
 namespace {

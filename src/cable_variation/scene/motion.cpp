@@ -8,8 +8,8 @@
 #include <stdexcept>
 
 #include <cable_variation/scene/motion_samples.h>
-#include <cable_variation/scene/readable_text.h>
-#include <cable_variation/scene/regular_file.h>
+#include <cable_variation/util/readable_text.h>
+#include <cable_variation/util/regular_file.h>
 #include <cable_variation/scene/resource_address.h>
 
 namespace cable_variation {

@@ -3,7 +3,7 @@
 #include <functional>
 #include <string>
 
-#include <cable_variation/scene/regular_file.h>
+#include <cable_variation/util/regular_file.h>
 
 namespace cable_variation {
 

@@ -5,7 +5,7 @@
 
 #include <cable_variation/scene/cable_property.h>
 #include <cable_variation/scene/deviations.h>
-#include <cable_variation/scene/quantity.h>
+#include <cable_variation/util/quantity.h>
 
 namespace cable_variation {
 namespace {

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include <cable_variation/geometry/triangle_mesh.h>
+#include <cable_variation/geometry/mesh/triangle_mesh.h>
 #include <cable_variation/harness/harness.h>
 #include <cable_variation/math/pose.h>
 #include <cable_variation/scene/measure.h>

@@ -3,7 +3,7 @@
 #include <map>
 #include <vector>
 
-#include <cable_variation/geometry/triangle_mesh.h>
+#include <cable_variation/geometry/mesh/triangle_mesh.h>
 
 namespace cable_variation {
 

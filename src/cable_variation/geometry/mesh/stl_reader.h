@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include <cable_variation/geometry/triangle_mesh.h>
+#include <cable_variation/geometry/mesh/triangle_mesh.h>
 
 namespace cable_variation {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <system_error>
 
-#include <cable_variation/math/number_text.h>
+#include <cable_variation/util/number_text.h>
 
 namespace cable_variation {
 namespace {

@@ -9,8 +9,8 @@
 
 #include <Eigen/Geometry>
 
-#include <cable_variation/geometry/box.h>
-#include <cable_variation/geometry/triangle_tree.h>
+#include <cable_variation/geometry/mesh/box.h>
+#include <cable_variation/geometry/mesh/triangle_tree.h>
 
 namespace cable_variation {
 namespace {

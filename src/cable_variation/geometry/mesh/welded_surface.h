@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 
 #include <cable_variation/geometry/mesh/facet_edges.h>
-#include <cable_variation/geometry/triangle_mesh.h>
+#include <cable_variation/geometry/mesh/triangle_mesh.h>
 
 namespace cable_variation {
 

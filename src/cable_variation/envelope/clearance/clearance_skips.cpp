@@ -1,0 +1,54 @@
+#include <cable_variation/envelope/clearance/clearance_skips.h>
+
+#include <algorithm>
+
+namespace cable_variation {
+namespace {
+
+bool has(const std::vector<std::size_t>& list, std::size_t index) {
+  return std::find(list.begin(), list.end(), index) != list.end();
+}
+
+}  // namespace
+
+double skippedNearClips(const Scene& scene, const ClearanceOptions& options, std::size_t cable,
+                        std::size_t component) {
+  if (options.skip_near_clips) return *options.skip_near_clips;
+  std::optional<double> smallest;
+  for (const Measure& measure : scene.measures) {
+    if (measure.type != Measure::Type::distance || measure.component != component) continue;
+    if (!has(measure.cables, cable)) continue;
+    smallest = std::min(smallest.value_or(measure.skip_near_clips), measure.skip_near_clips);
+  }
+  return smallest.value_or(ClearanceOptions::kNearClips);
+}
+
+double skippedNearJoints(const Scene& scene, const ClearanceOptions& options, std::size_t cable,
+                         std::size_t other, double radii) {
+  if (options.skip_near_joints) return *options.skip_near_joints;
+  std::optional<double> smallest;
+  for (const Measure& measure : scene.measures) {
+    if (measure.type != Measure::Type::distance || measure.component) continue;
+    if (!(has(measure.cables, cable) && has(measure.other_cables, other)) &&
+        !(has(measure.cables, other) && has(measure.other_cables, cable))) {
+      continue;
+    }
+    smallest = std::min(smallest.value_or(measure.skip_near_joints), measure.skip_near_joints);
+  }
+  return smallest.value_or(4.0 * radii);
+}
+
+std::vector<SkippedStretch> stretchesNearClips(const Scene& scene, const Harness& harness,
+                                               const Equilibrium& equilibrium, std::size_t cable,
+                                               const std::string& component, double near) {
+  std::vector<SkippedStretch> stretches;
+  if (!(near > 0.0)) return stretches;
+  for (std::size_t i = 0; i < harness.clips.size(); ++i) {
+    if (harness.clips[i].cable != cable || scene.clip_mounts[i].component != component) continue;
+    const double held = equilibrium.clip_reactions[i].arc_length;
+    stretches.push_back({held - near, held + near});
+  }
+  return stretches;
+}
+
+}  // namespace cable_variation

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include <cable_variation/equilibrium/discretisation/rod_system.h>
+
+namespace cable_variation {
+
+/// How far the discrete equilibrium is from the continuum's.
+struct DiscretisationError {
+  NodalField step;          ///< from the fine grid's equilibrium to the coarse one's
+  double centreline = 0.0;  ///< estimate of the largest distance [m]
+  std::vector<std::vector<double>>
+      contribution;  ///< per span and pair of elements: energy the pair's halves differ by [J]
+};
+
+/// The error of a grid whose equilibrium differs by `difference` [m] from that with every pair of elements
+/// merged, on cables of `length` [m]: what a method of the order that can be counted on leaves.
+double errorOfFiner(double difference, double length);
+
+/// Compares the equilibrium of `fine`, also given as `on_coarse`, with that of `coarse`,
+/// the same harness on the grid with every pair of elements merged: a Newton
+/// step there with the section forces of `fine`, at every node, inner ones too, since shapes are read between
+/// the elements' ends as well. A method of order p leaves the fine grid an error of 1/(2^p - 1) of the
+/// difference. The ends converge with order 6 and what lies between with order 4 once the grid resolves the
+/// shape, less where a rest curvature is given by knots; reported is a third of a large difference (order 2)
+/// and a seventh of a small one (order 3). `fine` must hold the energies at its equilibrium; its stresses are
+/// held. When that is `stable` but not so on the coarse grid, the error is infinite: the grid says too little
+/// about it.
+DiscretisationError estimateDiscretisation(RodSystem& fine, RodSystem& coarse, const Configuration& on_coarse,
+                                           bool stable = true);
+
+}  // namespace cable_variation

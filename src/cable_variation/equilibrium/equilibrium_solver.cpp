@@ -1,0 +1,156 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+
+#include <cable_variation/equilibrium/search/branch.h>
+#include <cable_variation/equilibrium/derivatives/eigenvalue_rate.h>
+#include <cable_variation/equilibrium/equilibrium.h>
+#include <cable_variation/equilibrium/derivatives/equilibrium_rate.h>
+#include <cable_variation/equilibrium/discretisation/equilibrium_result.h>
+#include <cable_variation/equilibrium/search/initial_shape.h>
+#include <cable_variation/equilibrium/search/lowest_shape.h>
+#include <cable_variation/util/seconds_since.h>
+
+namespace cable_variation {
+
+const char* toString(EquilibriumStatus status) {
+  switch (status) {
+    case EquilibriumStatus::converged:
+      return "converged";
+    case EquilibriumStatus::not_converged:
+      return "not converged";
+    case EquilibriumStatus::unstable:
+      return "unstable";
+    case EquilibriumStatus::impossible:
+      return "impossible";
+  }
+  return "unknown";
+}
+
+struct EquilibriumSolver::Impl {
+  explicit Impl(const EquilibriumOptions& of) : options(of) {}
+  Impl(const Impl& other)
+      : options(other.options), branch(other.branch ? std::make_unique<Branch>(*other.branch) : nullptr) {}
+
+  Equilibrium solve(const Harness& harness);
+  Equilibrium update(const Harness& harness);
+
+  std::vector<EquilibriumRate> differentiate(const std::vector<HarnessRate>& variables);
+  std::vector<double> eigenvalueRates(const std::vector<HarnessRate>& variables);
+  LinearResponse linearise();
+
+  EquilibriumOptions options;
+  std::unique_ptr<Branch> branch;  // of the last converged call
+};
+
+Equilibrium EquilibriumSolver::Impl::solve(const Harness& harness) {
+  const auto start = Clock::now();
+  Equilibrium result;
+  branch = lowestShape(harness, options, result);
+  if (branch) branch->finish(result);
+  if (!result.converged()) branch.reset();
+  result.solve_time = secondsSince(start);
+  return result;
+}
+
+Equilibrium EquilibriumSolver::Impl::update(const Harness& harness) {
+  const auto start = Clock::now();
+  if (!branch) return solve(harness);
+  const Problem& problem = branch->problem();
+  const Topology topology = makeTopology(harness);
+  if (!sameStructure(problem.harness, problem.topology, harness, topology)) return solve(harness);
+  // there is no energy to follow a shape by while dead moments grow or turn
+  if (!problem.system->conservative() || !problem.system->conservative(harness)) return solve(harness);
+  Equilibrium result;
+  branch->setOptions(options);
+  if (!branch->follow(harness, topology, result)) return solve(harness);  // the branch ends here
+  branch->finish(result);
+  if (!result.converged()) branch.reset();
+  result.solve_time = secondsSince(start);
+  return result;
+}
+
+// The system ends with its Hessian factorised at the equilibrium.
+LinearResponse EquilibriumSolver::Impl::linearise() {
+  // The error of the derivatives is the shift over the softest motion's share of the bending stiffness.
+  constexpr double kSmallestShift = 1e-12;
+  if (!branch || branch->unstable()) throw std::logic_error("there is no equilibrium to differentiate");
+  Problem& problem = branch->problem();
+  for (double shift : {kSmallestShift, neutralShift(*problem.system)}) {
+    problem.system->evaluate(problem.configuration, RodSystem::Hessian::exact);
+    if (problem.system->factorise(shift, problem.system->bendingMetric()) == 0) break;
+  }
+  return LinearResponse(*problem.system, problem.configuration);
+}
+
+std::vector<EquilibriumRate> EquilibriumSolver::Impl::differentiate(
+    const std::vector<HarnessRate>& variables) {
+  LinearResponse response = linearise();
+  const Problem& problem = branch->problem();
+  const std::vector<CableShape> shapes =
+      describeShapes(problem.harness, problem.topology, *problem.system, problem.configuration);
+  const ShapeRates shape_rates(problem.harness, problem.topology, shapes);
+  std::vector<EquilibriumRate> rates;
+  rates.reserve(variables.size());
+  for (const HarnessRate& variable : variables) {
+    const HarnessChange change = changeOf(problem.harness, problem.topology, problem.system->unknowns(),
+                                          problem.configuration, variable);
+    rates.push_back(shape_rates.of(change, response.to(change)));
+  }
+  return rates;
+}
+
+std::vector<double> EquilibriumSolver::Impl::eigenvalueRates(const std::vector<HarnessRate>& variables) {
+  LinearResponse response = linearise();
+  const Problem& problem = branch->problem();
+  EigenvalueRate rate(problem);
+  std::vector<double> rates;
+  for (const HarnessRate& variable : variables) {
+    const HarnessChange change = changeOf(problem.harness, problem.topology, problem.system->unknowns(),
+                                          problem.configuration, variable);
+    rates.push_back(rate.of(variable, change, response.to(change)));
+  }
+  return rates;
+}
+
+EquilibriumSolver::EquilibriumSolver(const EquilibriumOptions& options)
+    : impl_(std::make_unique<Impl>(options)) {}
+EquilibriumSolver::~EquilibriumSolver() = default;
+EquilibriumSolver::EquilibriumSolver(const EquilibriumSolver& other)
+    : impl_(std::make_unique<Impl>(*other.impl_)) {}
+EquilibriumSolver& EquilibriumSolver::operator=(const EquilibriumSolver& other) {
+  if (this != &other) impl_ = std::make_unique<Impl>(*other.impl_);
+  return *this;
+}
+EquilibriumSolver::EquilibriumSolver(EquilibriumSolver&&) noexcept = default;
+EquilibriumSolver& EquilibriumSolver::operator=(EquilibriumSolver&&) noexcept = default;
+
+void EquilibriumSolver::setOptions(const EquilibriumOptions& options) { impl_->options = options; }
+Equilibrium EquilibriumSolver::solve(const Harness& harness) { return impl_->solve(harness); }
+Equilibrium EquilibriumSolver::update(const Harness& harness) { return impl_->update(harness); }
+std::vector<EquilibriumRate> EquilibriumSolver::differentiate(const std::vector<HarnessRate>& variables) {
+  return impl_->differentiate(variables);
+}
+std::vector<double> EquilibriumSolver::eigenvalueRates(const std::vector<HarnessRate>& variables) {
+  return impl_->eigenvalueRates(variables);
+}
+
+const Problem& EquilibriumSolver::problem() const {
+  if (!impl_->branch || impl_->branch->unstable())
+    throw std::logic_error("there is no equilibrium to start from");
+  return impl_->branch->problem();
+}
+
+const EquilibriumOptions& EquilibriumSolver::options() const { return impl_->options; }
+
+EquilibriumSolver EquilibriumSolver::refined(double accuracy) const {
+  EquilibriumSolver finer(*this);
+  finer.impl_->options.accuracy = accuracy;
+  finer.impl_->options.eigenvalue = false;
+  finer.update(Harness(problem().harness));
+  return finer;
+}
+
+}  // namespace cable_variation

@@ -1,0 +1,316 @@
+#include <cable_variation/equilibrium/search/branch.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include <cable_variation/equilibrium/discretisation/discretisation.h>
+#include <cable_variation/equilibrium/discretisation/equilibrium_result.h>
+#include <cable_variation/equilibrium/search/smallest_eigenvalue.h>
+#include <cable_variation/equilibrium/search/start_search.h>
+#include <cable_variation/math/so3.h>
+
+namespace cable_variation {
+namespace {
+
+// A harness goes to another one in pieces that turn no clip by more than this [rad].
+constexpr double kLargestPiece = 0.35;
+constexpr int kRefinements = 7;
+
+// The clips on their way from `from` to `to`.
+Harness between(const Harness& from, const Harness& to, double t) {
+  Harness harness = to;
+  for (std::size_t i = 0; i < to.clips.size(); ++i) {
+    Pose& pose = harness.clips[i].pose;
+    const Pose& start = from.clips[i].pose;
+    pose.position = (1.0 - t) * start.position + t * pose.position;
+    pose.orientation = start.orientation.slerp(t, pose.orientation);
+  }
+  return harness;
+}
+
+// With dead moments scaled by `share`.
+Harness withMoments(const Harness& harness, double share) {
+  Harness scaled = harness;
+  for (PointLoad& load : scaled.loads) load.moment *= share;
+  return scaled;
+}
+
+int piecesOf(double turn) { return std::max(1, static_cast<int>(std::ceil(turn / kLargestPiece))); }
+
+}  // namespace
+
+Branch::Branch(const Harness& harness, const EquilibriumOptions& options)
+    : options_(options), problem_(harness) {
+  problem_.setGrid(startGrid(problem_.harness, problem_.topology));
+}
+
+Branch::Branch(const Branch& other) = default;
+
+// From the shape at hand to a minimum near by, or with `settle` to the stationary shape near by.
+bool Branch::descend(bool settle, StartStress stress, Equilibrium& result) {
+  const Minimum minimum =
+      minimise(*problem_.system, problem_.configuration, {options_.max_iterations, settle, stress});
+  result.iterations += minimum.iterations;
+  result.residual = minimum.residual;
+  if (settle) unstable_ = !minimum.stable;
+  return settle ? minimum.stationary : minimum.stable;
+}
+
+void Branch::dropMoments() { problem_.harness = withMoments(problem_.harness, 0.0); }
+
+bool Branch::tighten(Equilibrium& result) {
+  // At once where nothing slides, by this factor otherwise; then by smaller ones.
+  constexpr double kGrowth = 100.0;
+  constexpr double kSmallestGrowth = 2.0;
+  constexpr int kIterations = 60;  // of a step that leads to the next shape
+  RodSystem* system = problem_.system.get();
+  if (!system->soften(kSearchSlenderness, problem_.configuration)) return true;
+  // A coarse grid is too stiff for a slender rod, so the grid comes first; finely enough for the shape, which
+  // is not yet quite the final one.
+  constexpr double kRough = 1e-4;  // of the longest cable
+  problem_.coarse->soften(kSearchSlenderness, problem_.configuration);
+  system->evaluate(problem_.configuration, RodSystem::Hessian::none);
+  softened_ = kSearchSlenderness;
+  if (!adaptGrid(std::max(options_.accuracy, kRough * largestArcLength(problem_.configuration)), result))
+    return false;
+  double growth = system->slides() ? kGrowth : INFINITY;
+  system = problem_.system.get();
+  while (system->soften(softened_, problem_.configuration)) {
+    const Configuration softer = problem_.configuration;
+    system->evaluate(problem_.configuration, RodSystem::Hessian::none);
+    system->holdStress();
+    system->soften(softened_ * growth, problem_.configuration);
+    const int before = options_.max_iterations;
+    options_.max_iterations = std::min(before, kIterations);
+    const bool found = descend(unstable_, StartStress::held, result);
+    options_.max_iterations = before;
+    if (found) {
+      softened_ *= growth;
+      continue;
+    }
+    problem_.configuration = softer;
+    growth = std::isfinite(growth) ? std::sqrt(growth) : kGrowth;
+    if (growth < kSmallestGrowth) return false;
+  }
+  softened_ = INFINITY;
+  problem_.coarse->soften(softened_, problem_.configuration);
+  return true;
+}
+
+bool Branch::growMoments(const Harness& harness, Equilibrium& result) {
+  double turn = 0.0;  // that the moments may cause [rad]
+  for (const PointLoad& load : harness.loads) {
+    const Section section = sectionAt(harness.cables[load.cable], load.arc_length);
+    const double softest = std::min({section.EI_y, section.EI_z, section.GJ});
+    turn += load.moment.norm() * harness.cables[load.cable].length / softest;
+  }
+  const int pieces = piecesOf(turn);
+  bool passed_singular = false;
+  for (int k = 1; k <= pieces; ++k) {
+    carryTo(withMoments(harness, static_cast<double>(k) / pieces), makeTopology(harness));
+    if (!descend(true, StartStress::held, result)) {
+      result.status = EquilibriumStatus::not_converged;
+      result.message =
+          "the shape was lost while the dead moments grew: " +
+          whereItFailed(problem_.harness, problem_.topology, *problem_.system, problem_.configuration);
+      return false;
+    }
+    passed_singular = passed_singular || unstable_;
+  }
+  unstable_ = passed_singular;
+  return true;
+}
+
+// Splits the pairs of elements that are marked; the shape and its section forces are carried over. Returns
+// what was there before.
+Branch::OnGrid Branch::refineGrid(const std::vector<std::vector<bool>>& marked,
+                                  const std::vector<CableShape>& shapes) {
+  OnGrid before{std::move(problem_.system), std::move(problem_.coarse), std::move(problem_.configuration)};
+  before.system->holdStress();
+  problem_.setGrid(refine(before.system->grid(), marked));
+  problem_.system->takeStress(*before.system);
+  problem_.configuration = onGrid(problem_.topology, before.configuration, shapes, problem_.system->grid());
+  problem_.system->soften(softened_, problem_.configuration);
+  problem_.coarse->soften(softened_, problem_.configuration);
+  return before;
+}
+
+bool Branch::adaptGrid(Equilibrium& result) { return adaptGrid(options_.accuracy, result); }
+
+bool Branch::adaptGrid(double accuracy, Equilibrium& result) {
+  for (int round = 0; round <= kRefinements; ++round) {
+    result.shapes =
+        describeShapes(problem_.harness, problem_.topology, *problem_.system, problem_.configuration);
+    const Configuration on_coarse =
+        onGrid(problem_.topology, problem_.configuration, result.shapes, problem_.coarse->grid());
+    const DiscretisationError error =
+        estimateDiscretisation(*problem_.system, *problem_.coarse, on_coarse, !unstable_);
+    result.discretisation_error = error.centreline;
+    if (error.centreline <= accuracy) return true;
+    if (round == kRefinements) break;
+    double largest = 0.0;
+    for (const auto& span : error.contribution) {
+      for (double c : span) largest = std::max(largest, c);
+    }
+    std::vector<std::vector<bool>> marked;
+    for (const auto& span : error.contribution) {
+      marked.emplace_back();
+      for (double c : span) marked.back().push_back(c >= 0.02 * largest || !std::isfinite(error.centreline));
+    }
+    refineGrid(marked, result.shapes);
+    if (!descend(unstable_ || !problem_.system->conservative(), StartStress::held, result)) break;
+  }
+  result.shapes.clear();
+  return false;
+}
+
+bool Branch::overstretched(Equilibrium& result) const {
+  for (const CableShape& shape : result.shapes) {
+    for (const ShapePoint& point : shape.points) {
+      const double strain = point.strain.x();
+      if (std::abs(strain) <= 2.0 * kLargestStretch) continue;
+      std::ostringstream text;
+      text << "cable '" << shape.cable << "' is " << (strain > 0.0 ? "stretched" : "compressed") << " by "
+           << 100.0 * std::abs(strain) << " % at " << 1e3 * point.arc_length << " mm; expected at most "
+           << 200.0 * kLargestStretch << " %: "
+           << (strain > 0.0
+                   ? "what holds or loads it there leaves it too little length"
+                   : "what holds or loads it there presses it together, and it is too short and thick "
+                     "there to bow out");
+      result.status = EquilibriumStatus::impossible;
+      result.message = text.str();
+      return true;
+    }
+  }
+  return false;
+}
+
+// A shape that is right on a grid which its softest motion is too fine for, as a straight twisted one is,
+// gets its grid refined for that.
+void Branch::findEigenvalue(Equilibrium& result) {
+  constexpr double kOfBending = 1e-2;
+  constexpr double kOrderFour = 15.0;
+  for (int round = 0;; ++round) {
+    RodSystem& system = *problem_.system;
+    RodSystem& coarse = *problem_.coarse;
+    system.evaluate(problem_.configuration, RodSystem::Hessian::exact);
+    result.smallest_eigenvalue = smallestEigenvalue(system, problem_.configuration);
+    if (unstable_ || !system.conservative()) return;
+    // it was judged stable: what is negative here is the rounding of a motion that costs no energy
+    result.smallest_eigenvalue = std::max(result.smallest_eigenvalue, 0.0);
+    if (round == kRefinements) return;
+    const Configuration on_coarse =
+        onGrid(problem_.topology, problem_.configuration, result.shapes, coarse.grid());
+    const DiscretisationError error = estimateDiscretisation(system, coarse, on_coarse, false);
+    Configuration there = on_coarse;
+    coarse.move(error.step, there);
+    coarse.evaluate(there, RodSystem::Hessian::exact);
+    const double on_merged = smallestEigenvalue(coarse, there);
+    double bending = INFINITY;  // of the softest span
+    const std::vector<RodSystem::Metric> stiffness = system.bendingMetric(), surface = system.surfaceMetric();
+    for (std::size_t i = 0; i < stiffness.size(); ++i)
+      bending = std::min(bending, stiffness[i].position / surface[i].position);
+    const double allowed =
+        options_.eigenvalue_accuracy * std::max(std::abs(result.smallest_eigenvalue), kOfBending * bending);
+    if (std::abs(on_merged - result.smallest_eigenvalue) <= kOrderFour * allowed) return;
+    std::vector<std::vector<bool>> all;
+    for (std::size_t i = 0; i < coarse.grid().size(); ++i) all.emplace_back(coarse.elementCount(i), true);
+    OnGrid before = refineGrid(all, result.shapes);
+    if (!descend(false, StartStress::held, result)) {  // leaves it as good as it was
+      problem_.system = std::move(before.system);
+      problem_.coarse = std::move(before.coarse);
+      problem_.configuration = std::move(before.configuration);
+      return;
+    }
+    result.shapes =
+        describeShapes(problem_.harness, problem_.topology, *problem_.system, problem_.configuration);
+  }
+}
+
+// Far from the origin positions are rounded by what would stretch a slender cable noticeably.
+bool Branch::lostInRounding(Equilibrium& result) const {
+  constexpr double kMost = 0.3;  // of RodSystem::stiffnessNoise(); 0.1 is seen in forces, by a hundredth
+  if (problem_.system->stiffnessNoise() <= kMost) return false;
+  double reach = 0.0;
+  for (const Clip& clip : problem_.harness.clips) reach = std::max(reach, clip.pose.position.norm());
+  std::ostringstream text;
+  text << "the clips lie up to " << reach << " m from the origin, where positions are rounded by "
+       << 2e-16 * reach
+       << " m: too much for cables as slender as these; expected the scene's origin near the harness";
+  result.status = EquilibriumStatus::not_converged;
+  result.message = text.str();
+  result.shapes.clear();
+  return true;
+}
+
+void Branch::finish(Equilibrium& result) {
+  if (lostInRounding(result)) return;
+  if (options_.eigenvalue || unstable_) findEigenvalue(result);
+  describe(problem_.harness, problem_.topology, *problem_.system, problem_.configuration, result);
+  if (overstretched(result)) return;
+  result.status = EquilibriumStatus::converged;
+  if (unstable_) {
+    std::ostringstream text;
+    text << "the only equilibrium found is unstable: the smallest eigenvalue is "
+         << result.smallest_eigenvalue << " N/m";
+    result.status = EquilibriumStatus::unstable;
+    result.message = text.str();
+  }
+}
+
+// Carries the shape along to the new harness, to first order, and predicts its section forces.
+void Branch::carryTo(const Harness& harness, Topology topology) {
+  Configuration& configuration = problem_.configuration;
+  const std::vector<StationConfiguration> before = configuration.stations;
+  problem_.harness = harness;
+  problem_.topology = std::move(topology);
+  for (std::size_t i = 0; i < configuration.stations.size(); ++i) {
+    if (problem_.system->unknowns().slide(i) < 0) {
+      configuration.stations[i].arc_length = problem_.topology.stations[i].arc_length;
+    }
+  }
+  placeStations(problem_.harness, problem_.topology, configuration);
+  Eigen::Matrix<double, 6, Eigen::Dynamic> carried(6,
+                                                   static_cast<Eigen::Index>(configuration.stations.size()));
+  bool moved = false;
+  for (std::size_t i = 0; i < configuration.stations.size(); ++i) {
+    const Pose& from = before[i].pose;
+    const Pose& to = configuration.stations[i].pose;
+    carried.col(static_cast<Eigen::Index>(i)) << to.position - from.position,
+        so3::log(from.orientation.conjugate() * to.orientation);
+    moved = moved || !carried.col(static_cast<Eigen::Index>(i)).isZero(0.0);
+  }
+  if (moved) {
+    NodalField motion;
+    problem_.system->follow(carried, motion);
+    problem_.system->predictStress(motion);
+    problem_.system->move(motion, configuration);
+  } else {
+    problem_.system->holdStress();
+  }
+  problem_.system->harnessChanged();
+  problem_.coarse->harnessChanged();
+}
+
+bool Branch::follow(const Harness& harness, const Topology& topology, Equilibrium& result) {
+  double turn = 0.0;
+  for (std::size_t i = 0; i < harness.clips.size(); ++i) {
+    const auto& from = problem_.harness.clips[i].pose.orientation;
+    turn = std::max(turn, from.angularDistance(harness.clips[i].pose.orientation));
+  }
+  const int pieces = piecesOf(turn);
+  if (pieces > 1) {
+    const Harness origin = problem_.harness;
+    for (int k = 1; k < pieces; ++k) {
+      carryTo(between(origin, harness, static_cast<double>(k) / pieces), topology);
+      if (!descend(false, StartStress::held, result)) return false;
+    }
+  }
+  carryTo(harness, topology);
+  const bool reachable =
+      unreachable(problem_.harness, problem_.topology, problem_.configuration, kLargestStretch).empty();
+  return reachable && descend(false, StartStress::held, result) && adaptGrid(result);
+}
+
+}  // namespace cable_variation

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include <cable_variation/equilibrium/equilibrium.h>
+#include <cable_variation/equilibrium/search/minimise.h>
+#include <cable_variation/equilibrium/discretisation/problem.h>
+
+namespace cable_variation {
+
+/// One branch of equilibria of a harness: a shape on a grid, brought to rest, refined, and followed to other
+/// harnesses of the same structure. What the steps cost and find is put down in an Equilibrium.
+class Branch {
+ public:
+  /// On the start grid, without a shape. Throws std::invalid_argument (makeTopology()).
+  Branch(const Harness& harness, const EquilibriumOptions& options);
+  /// A copy has the shape of the original to follow and goes its own way from there.
+  Branch(const Branch& other);
+  Branch& operator=(const Branch&) = delete;
+
+  Problem& problem() { return problem_; }
+  const Problem& problem() const { return problem_; }
+  /// Of the calls from now on.
+  void setOptions(const EquilibriumOptions& options) { options_ = options; }
+  /// The shape at hand is merely stationary.
+  bool unstable() const { return unstable_; }
+  void setUnstable(bool unstable) { unstable_ = unstable; }
+
+  /// Without its dead moments, from here on.
+  void dropMoments();
+  /// From a minimum on the start grid with softened stretch (RodSystem::soften()) to one of the cable's own.
+  bool tighten(Equilibrium& result);
+  /// Dead moments without a potential leave no energy to descend: the shape without them is followed while
+  /// they grow to those of `harness`, and is stable as long as it passes no singular point. Else says in the
+  /// result what happened.
+  bool growMoments(const Harness& harness, Equilibrium& result);
+  /// Refines until the estimated error is below the accuracy asked for. The system ends with its gradient at
+  /// the configuration, and the result with the shapes there.
+  bool adaptGrid(Equilibrium& result);
+  /// To the shape of `harness`, which differs from the one at hand in numbers only; it has been checked that
+  /// `topology` is alike. False: the branch ends on the way.
+  bool follow(const Harness& harness, const Topology& topology, Equilibrium& result);
+  /// Completes the result: reactions, energies, the smallest eigenvalue, and whether the shape is one that a
+  /// cable can take.
+  void finish(Equilibrium& result);
+
+ private:
+  bool descend(bool settle, StartStress stress, Equilibrium& result);
+  bool adaptGrid(double accuracy, Equilibrium& result);
+  void carryTo(const Harness& harness, Topology topology);
+  struct OnGrid {
+    std::unique_ptr<RodSystem> system, coarse;
+    Configuration configuration;
+  };
+  OnGrid refineGrid(const std::vector<std::vector<bool>>& marked, const std::vector<CableShape>& shapes);
+  bool overstretched(Equilibrium& result) const;
+  bool lostInRounding(Equilibrium& result) const;
+  void findEigenvalue(Equilibrium& result);
+
+  EquilibriumOptions options_;
+  Problem problem_;
+  double softened_ = INFINITY;  // slenderness that the systems are softened to
+  bool unstable_ = false;
+};
+
+/// More stretch than this is outside what a linear law and a real cable bear.
+constexpr double kLargestStretch = 0.05;
+
+}  // namespace cable_variation

@@ -1,0 +1,219 @@
+#include <cable_variation/equilibrium/search/start_search.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <cable_variation/equilibrium/discretisation/equilibrium_result.h>
+#include <cable_variation/equilibrium/search/initial_shape.h>
+#include <cable_variation/equilibrium/search/slide_starts.h>
+#include <cable_variation/equilibrium/search/minimise.h>
+#include <cable_variation/equilibrium/search/twist.h>
+
+namespace cable_variation {
+namespace {
+
+// Shapes closer than this share of the harness's length are the same equilibrium.
+constexpr double kSameShape = 1e-3;
+// And of the same energy: one with a turn more may have the same centreline.
+constexpr double kSameEnergy = 1e-6;
+
+struct Candidate {
+  bool stable = false;
+  FoundShape shape;
+  std::vector<double> interval_energy;
+};
+
+class Search {
+ public:
+  Search(Problem& problem, const EquilibriumOptions& options, Equilibrium& result)
+      : problem_(problem),
+        options_(options),
+        result_(result),
+        initial_(problem.harness, problem.topology),
+        best_routing_(initial_.intervals().size()),
+        best_energy_(initial_.intervals().size(), std::numeric_limits<double>::infinity()) {}
+
+  SearchResult run() {
+    const std::vector<Routing> natural(best_routing_.size());
+    attempt(natural);
+    if (!found_.minima.empty()) natural_ = found_.minima.front().configuration;
+    if (options_.multi_start) {
+      chooseSlides(natural);
+      tryOthers(natural);
+    }
+    takeOutTurns();
+    findCarriedLoads();
+    sort();
+    if (!found_.minima.empty()) found_.saddles.clear();
+    return found_;
+  }
+
+ private:
+  // Where sliding clips start for the others: where the lowest of the shapes from several places came from.
+  void chooseSlides(const std::vector<Routing>& natural) {
+    double lowest = found_.minima.empty() ? INFINITY : found_.minima.front().energy;
+    std::vector<double> best;
+    for (std::vector<double>& start : slideStarts(problem_.harness, problem_.topology)) {
+      arc_lengths_ = std::move(start);
+      const double energy = attempt(natural);
+      if (!(energy < lowest)) continue;
+      lowest = energy;
+      best = arc_lengths_;
+    }
+    arc_lengths_ = best;
+  }
+
+  void tryOthers(const std::vector<Routing>& natural) {
+    using Bulge = Routing::Bulge;
+    const Routing others[] = {{Bulge::stress_free, 0}, {Bulge::down, 0},  {Bulge::up, 0},
+                              {Bulge::left, 0},        {Bulge::right, 0}, {Bulge::natural, 1},
+                              {Bulge::natural, -1}};
+    const auto& intervals = initial_.intervals();
+    for (const Routing& other : others) {
+      for (std::size_t parity = 0; parity < 2; ++parity) {
+        std::vector<Routing> routing = natural;
+        bool any = false;
+        for (std::size_t i = parity; i < intervals.size(); i += 2) {
+          if (intervals[i].hinted || (other.turns != 0 && !intervals[i].twistable)) continue;
+          if (other.bulge == Bulge::stress_free && !intervals[i].preformed) continue;
+          routing[i] = other;
+          any = true;
+        }
+        if (any) attempt(routing);
+      }
+    }
+    const bool mixed = std::any_of(best_routing_.begin(), best_routing_.end(), [](const Routing& r) {
+      return r.bulge != Bulge::natural || r.turns != 0;
+    });
+    if (mixed && intervals.size() > 1) attempt(best_routing_);
+  }
+
+  void sort() {
+    std::stable_sort(found_.minima.begin(), found_.minima.end(),
+                     [](const FoundShape& a, const FoundShape& b) {
+                       return std::make_pair(a.departures, a.energy) < std::make_pair(b.departures, b.energy);
+                     });
+  }
+
+  // Large steps can carry a load right over to where it has nothing left to press against. It is expected
+  // near where the natural start leaves it: within the length of its cable.
+  void findCarriedLoads() {
+    if (!natural_) return;
+    for (FoundShape& shape : found_.minima) {
+      for (std::size_t i = 0; i < problem_.topology.stations.size(); ++i) {
+        const Station& station = problem_.topology.stations[i];
+        const bool loaded = std::any_of(station.loads.begin(), station.loads.end(), [&](std::size_t load) {
+          return !problem_.harness.loads[load].force.isZero(0.0);
+        });
+        const double way =
+            (shape.configuration.stations[i].pose.position - natural_->stations[i].pose.position).norm();
+        if (loaded && way > problem_.harness.cables[station.cable].length) ++shape.departures;
+      }
+    }
+  }
+
+  // Long soft cables gather turns in large steps, and lose those asked for: then the shape with the right
+  // turns is looked for next to the one with the wrong ones.
+  void takeOutTurns() {
+    constexpr int kRounds = 3;
+    for (int round = 0; round < kRounds && !found_.minima.empty(); ++round) {
+      sort();
+      const Configuration& lowest = found_.minima.front().configuration;
+      const std::vector<TwistPiece> pieces = twistPieces(problem_.harness, problem_.topology, lowest);
+      const bool right = std::all_of(pieces.begin(), pieces.end(),
+                                     [](const TwistPiece& piece) { return piece.surplus == 0; });
+      if (right) return;
+      const std::size_t before = found_.minima.size();
+      take(descend(
+          withoutSurplus(problem_.harness, problem_.topology, problem_.system->grid(), lowest, pieces),
+          StartStress::own));
+      if (found_.minima.size() == before) return;
+    }
+  }
+
+  // The energy of the minimum that a start leads to [J]; infinite: to none.
+  double attempt(const std::vector<Routing>& routing) {
+    const std::optional<Candidate> candidate =
+        take(descend(initial_.make(problem_.system->grid(), routing, arc_lengths_), StartStress::none));
+    if (!candidate) return INFINITY;
+    for (std::size_t i = 0; i < routing.size(); ++i) {
+      if (candidate->interval_energy[i] < best_energy_[i]) {
+        best_energy_[i] = candidate->interval_energy[i];
+        best_routing_[i] = routing[i];
+      }
+    }
+    return candidate->shape.energy;
+  }
+
+  // Puts a stationary shape to those found; returns it when it is a minimum.
+  std::optional<Candidate> take(std::optional<Candidate> candidate) {
+    if (!candidate) return std::nullopt;
+    if (!candidate->stable) {
+      if (found_.saddles.empty()) found_.saddles.push_back(std::move(candidate->shape));
+      return std::nullopt;
+    }
+    const Grid& grid = problem_.system->grid();
+    const bool known = std::any_of(found_.minima.begin(), found_.minima.end(), [&](const FoundShape& other) {
+      const double apart = std::abs(other.energy - candidate->shape.energy);
+      return apart <= kSameEnergy * (std::abs(other.energy) + std::abs(candidate->shape.energy)) &&
+             largestDistance(grid, other.configuration, grid, candidate->shape.configuration) <
+                 kSameShape * problem_.length();
+    });
+    if (!known) found_.minima.push_back(candidate->shape);
+    return candidate;
+  }
+
+  // From one start to a stationary shape.
+  std::optional<Candidate> descend(Configuration start, StartStress stress) {
+    RodSystem& system = *problem_.system;
+    Candidate candidate;
+    Configuration& configuration = candidate.shape.configuration;
+    configuration = std::move(start);
+    const Minimum minimum = minimise(system, configuration, {options_.max_iterations, false, stress});
+    result_.iterations += minimum.iterations;
+    result_.residual = minimum.residual;
+    if (!minimum.stationary) {
+      if (found_.failure.empty()) {
+        found_.failure = whereItFailed(problem_.harness, problem_.topology, system, configuration);
+      }
+      return std::nullopt;
+    }
+    candidate.stable = minimum.stable;
+    candidate.shape.energy = system.energy().total();
+    for (const TwistPiece& piece : twistPieces(problem_.harness, problem_.topology, configuration)) {
+      if (problem_.harness.cables[piece.cable].twist) candidate.shape.departures += std::abs(piece.surplus);
+    }
+    for (const Interval& interval : initial_.intervals()) {
+      double energy = 0.0;
+      for (std::size_t i : problem_.topology.cable_spans[interval.cable]) {
+        const double s = problem_.topology.stations[problem_.topology.spans[i].left].arc_length;
+        if (s < interval.start || s >= interval.end) continue;
+        for (std::size_t e = 0; e < system.elementCount(i); ++e) energy += system.elementEnergy(i, e);
+      }
+      candidate.interval_energy.push_back(energy);
+    }
+    return candidate;
+  }
+
+  Problem& problem_;
+  const EquilibriumOptions& options_;
+  Equilibrium& result_;
+  InitialShape initial_;
+  std::vector<double> arc_lengths_;       // of the stations, to start from; empty: as the topology has them
+  std::optional<Configuration> natural_;  // the minimum that the natural start leads to
+  SearchResult found_;
+  std::vector<Routing> best_routing_;
+  std::vector<double> best_energy_;
+};
+
+}  // namespace
+
+SearchResult searchStarts(Problem& problem, const EquilibriumOptions& options, Equilibrium& result) {
+  return Search(problem, options, result).run();
+}
+
+}  // namespace cable_variation

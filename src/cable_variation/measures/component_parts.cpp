@@ -1,0 +1,73 @@
+#include <cable_variation/measures/component_parts.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+namespace cable_variation {
+
+TriangleMesh mergedMesh(const Component& component) {
+  TriangleMesh merged;
+  for (const Visual& visual : component.visuals) {
+    if (!visual.mesh) continue;
+    const auto first = static_cast<std::uint32_t>(merged.vertices.size());
+    for (const Eigen::Vector3d& vertex : visual.mesh->vertices)
+      merged.vertices.push_back(visual.pose * vertex);
+    for (const auto& corners : visual.mesh->triangles)
+      merged.triangles.push_back({corners[0] + first, corners[1] + first, corners[2] + first});
+  }
+  return merged;
+}
+
+// With what it was made from: as long as that is the same it can be used again.
+struct ComponentParts::Prepared {
+  std::vector<std::pair<std::shared_ptr<const TriangleMesh>, Pose>> of;
+  DistancePart part;
+
+  explicit Prepared(const Component& component) : part(mergedMesh(component)) {
+    for (const Visual& visual : component.visuals) of.emplace_back(visual.mesh, visual.pose);
+  }
+  bool fits(const Component& component) const {
+    if (component.visuals.size() != of.size()) return false;
+    for (std::size_t i = 0; i < of.size(); ++i) {
+      const Visual& visual = component.visuals[i];
+      if (visual.mesh != of[i].first || visual.pose.position != of[i].second.position ||
+          visual.pose.orientation.coeffs() != of[i].second.orientation.coeffs()) {
+        return false;
+      }
+    }
+    return true;
+  }
+};
+
+void ComponentParts::prepare(const Scene& scene, std::size_t component, const ComponentParts& known) {
+  const Component& of = scene.components.at(component);
+  parts_.resize(std::max(parts_.size(), scene.components.size()));
+  if (parts_[component] && parts_[component]->fits(of)) return;
+  for (const auto& part : known.parts_) {
+    if (!part || !part->fits(of)) continue;
+    parts_[component] = part;
+    return;
+  }
+  try {
+    parts_[component] = std::make_shared<const Prepared>(of);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument("component '" + of.name + "': " + error.what());
+  }
+}
+
+void ComponentParts::prepareAll(const Scene& scene, const ComponentParts& known) {
+  for (std::size_t i = 0; i < scene.components.size(); ++i) {
+    const auto& visuals = scene.components[i].visuals;
+    if (std::any_of(visuals.begin(), visuals.end(),
+                    [](const Visual& visual) { return visual.mesh && !visual.mesh->triangles.empty(); })) {
+      prepare(scene, i, known);
+    }
+  }
+}
+
+const DistancePart* ComponentParts::find(std::size_t component) const {
+  return component < parts_.size() && parts_[component] ? &parts_[component]->part : nullptr;
+}
+
+}  // namespace cable_variation

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cable_variation/geometry/tube_distance/distance.h>
+#include <cable_variation/measures/measure_context.h>
+
+namespace cable_variation {
+
+// Distance of cables to a component or to other cables, see geometry/distance.h.
+
+/// Sections within Measure::skip_near_clips of a clip that rides on the component do not count.
+/// @param near of a similar shape, or null @param vicinities of each of the measure's cables, or none
+MeasureValue componentDistanceValue(const MeasureContext& context, const Measure& measure,
+                                    const DistancePart& part, const MeasureValue* near,
+                                    const std::vector<PartVicinity>& vicinities);
+double componentDistanceRate(const MeasureContext& context, const Measure& measure, const MeasureValue& value,
+                             const MeasureRates& rates);
+
+/// Pairs of sections of two joined cables count only when the way from one to the other through the joint
+/// is at least Measure::skip_near_joints.
+MeasureValue cableDistanceValue(const MeasureContext& context, const Measure& measure);
+double cableDistanceRate(const MeasureContext& context, const Measure& measure, const MeasureValue& value,
+                         const MeasureRates& rates);
+
+}  // namespace cable_variation

@@ -1,3 +1,0 @@
-#define CABLE_VARIATION_CHAIN_KERNEL kAvx2ChainKernel
-#define CABLE_VARIATION_WIDTH 4
-#include <cable_variation/rod/chain_kernel.inl>

@@ -1,3 +1,0 @@
-#define CABLE_VARIATION_CHAIN_KERNEL kBaselineChainKernel
-#define CABLE_VARIATION_WIDTH 2
-#include <cable_variation/rod/chain_kernel.inl>

@@ -1,4 +1,0 @@
-#define CABLE_VARIATION_KERNEL kBaselineKernel
-#define CABLE_VARIATION_WIDTH 2
-#define CABLE_VARIATION_INSTRUCTION_SET "baseline"
-#include <cable_variation/rod/element_kernel.inl>

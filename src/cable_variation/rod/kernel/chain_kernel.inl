@@ -1,0 +1,219 @@
+// Included once per instruction set, as element_kernel.inl, with CABLE_VARIATION_CHAIN_KERNEL naming the
+// table to define.
+
+#include <cable_variation/rod/kernel/chain_kernel.h>
+#include <cable_variation/rod/kernel/elimination.inl>
+
+namespace cable_variation::element {
+namespace {
+
+constexpr int kFar = kNodeDofs;         // first row of the next node
+constexpr int kBorder = 2 * kNodeDofs;  // first row of the border
+
+inline Pack entry(const Factor& element, int row, int column, int lane) {
+  return load(element.matrix[row >= column ? packed(row, column) : packed(column, row)] + lane);
+}
+
+// First row of the element's near and far node.
+inline int nearRow(const Place& place) { return place.reversed ? kInner + kNodeDofs : kInner; }
+inline int farRow(const Place& place) { return place.reversed ? kInner : kInner + kNodeDofs; }
+
+void start(const Factor& element, const double (*slide)[kDofs][kLanes], const Place& place, Link& root) {
+  const int near = nearRow(place), far = farRow(place);
+  const int slides = kBorder + (place.near_held ? 0 : kNodeDofs);
+  const Pack zero = {};
+  for (int lane = 0; lane < kLanes; lane += kWidth) {
+    const auto put = [&](int row, int column, Pack value) {
+      store(root.matrix[packed(row, column)] + lane, value);
+    };
+    for (int r = 0; r < kNodeDofs; ++r) {
+      for (int c = 0; c <= r; ++c) put(kFar + r, kFar + c, entry(element, far + r, far + c, lane));
+    }
+    for (int r = 0; !place.near_held && r < kNodeDofs; ++r) {
+      for (int c = 0; c < kNodeDofs; ++c) put(kBorder + r, kFar + c, entry(element, near + r, far + c, lane));
+      for (int c = 0; c <= r; ++c) put(kBorder + r, kBorder + c, entry(element, near + r, near + c, lane));
+    }
+    for (int s = 0; place.slides && s < kSlides; ++s) {
+      for (int c = 0; c < kNodeDofs; ++c) put(slides + s, kFar + c, load(slide[s][far + c] + lane));
+      for (int c = 0; !place.near_held && c < kNodeDofs; ++c) {
+        put(slides + s, kBorder + c, load(slide[s][near + c] + lane));
+      }
+      for (int c = 0; c <= s; ++c) put(slides + s, slides + c, zero);
+    }
+  }
+}
+
+void eliminate(const Factor& element, const double (*slide)[kDofs][kLanes], const Place& place,
+               const Link& before, Link& link, int* negative_pivots) {
+  const int near = nearRow(place), far = farRow(place);
+  const int near_rows = place.near_held ? 0 : kNodeDofs;
+  const int border = place.border();
+  const Pack zero = {};
+  for (int lane = 0; lane < kLanes; lane += kWidth) {
+    const auto put = [&](int row, int column, Pack value) {
+      store(link.matrix[packed(row, column)] + lane, value);
+    };
+    const auto left = [&](int row, int column) { return load(before.matrix[packed(row, column)] + lane); };
+    for (int r = 0; r < kNodeDofs; ++r) {
+      for (int c = 0; c <= r; ++c) {
+        put(r, c, left(kFar + r, kFar + c) + entry(element, near + r, near + c, lane));
+        put(kFar + r, kFar + c, entry(element, far + r, far + c, lane));
+      }
+      for (int c = 0; c < kNodeDofs; ++c) put(kFar + r, c, entry(element, far + r, near + c, lane));
+    }
+    for (int b = 0; b < border; ++b) {
+      const int row = kBorder + b;
+      for (int c = 0; c <= b; ++c) put(row, kBorder + c, left(row, kBorder + c));
+      for (int c = 0; c < kNodeDofs; ++c) {
+        const bool slid = b >= near_rows;
+        put(row, c,
+            slid ? left(row, kFar + c) + load(slide[b - near_rows][near + c] + lane) : left(row, kFar + c));
+        put(row, kFar + c, slid ? load(slide[b - near_rows][far + c] + lane) : zero);
+      }
+    }
+    switch (border) {
+      case 0:
+        eliminatePanel<kBorder, 0>(link.matrix, link.inverse_pivot, lane);
+        break;
+      case kSlides:
+        eliminatePanel<kBorder + kSlides, 0>(link.matrix, link.inverse_pivot, lane);
+        break;
+      case kNodeDofs:
+        eliminatePanel<kBorder + kNodeDofs, 0>(link.matrix, link.inverse_pivot, lane);
+        break;
+      default:
+        eliminatePanel<kLargestLink, 0>(link.matrix, link.inverse_pivot, lane);
+    }
+  }
+  for (int k = 0; k < kNodeDofs; ++k) {
+    for (int lane = 0; lane < kLanes; ++lane)
+      negative_pivots[lane] += link.inverse_pivot[k][lane] > 0.0 ? 0 : 1;
+  }
+}
+
+void condense(const Link& link, int border_rows, double (*node)[kLanes], double (*far)[kLanes],
+              double (*border)[kLanes]) {
+  for (int lane = 0; lane < kLanes; lane += kWidth) {
+    Pack value[kNodeDofs];
+    for (int k = 0; k < kNodeDofs; ++k) value[k] = load(node[k] + lane);
+    const auto reduced = [&](int row, int columns, Pack of) {
+      for (int k = 0; k < columns; ++k) of -= load(link.matrix[packed(row, k)] + lane) * value[k];
+      return of;
+    };
+    for (int k = 1; k < kNodeDofs; ++k) value[k] = reduced(k, k, value[k]);
+    for (int k = 1; k < kNodeDofs; ++k) store(node[k] + lane, value[k]);
+    for (int r = 0; r < kNodeDofs; ++r)
+      store(far[r] + lane, reduced(kFar + r, kNodeDofs, load(far[r] + lane)));
+    for (int r = 0; r < border_rows; ++r) {
+      store(border[r] + lane, reduced(kBorder + r, kNodeDofs, load(border[r] + lane)));
+    }
+  }
+}
+
+void expand(const Link& link, int border_rows, double (*node)[kLanes], const double (*far)[kLanes],
+            const double (*border)[kLanes]) {
+  for (int lane = 0; lane < kLanes; lane += kWidth) {
+    Pack value[kNodeDofs];
+    for (int k = 0; k < kNodeDofs; ++k) value[k] = load(node[k] + lane) * load(link.inverse_pivot[k] + lane);
+    const auto subtract = [&](int row, int columns, Pack x) {
+      for (int k = 0; k < columns; ++k) value[k] -= load(link.matrix[packed(row, k)] + lane) * x;
+    };
+    for (int r = 0; r < border_rows; ++r) subtract(kBorder + r, kNodeDofs, load(border[r] + lane));
+    for (int r = 0; r < kNodeDofs; ++r) subtract(kFar + r, kNodeDofs, load(far[r] + lane));
+    for (int k = kNodeDofs - 1; k > 0; --k) subtract(k, k, value[k]);
+    for (int k = 0; k < kNodeDofs; ++k) store(node[k] + lane, value[k]);
+  }
+}
+
+void force(const Energy& energy, double (*rhs)[kLanes], double (*left)[kLanes], double (*right)[kLanes]) {
+  const Pack zero = {};
+  for (int lane = 0; lane < kLanes; lane += kWidth) {
+    for (int k = 0; k < kInner; ++k) store(rhs[k] + lane, -load(energy.gradient[k] + lane));
+    for (int k = kInner; k < kDofs; ++k) store(rhs[k] + lane, zero);
+    for (int k = 0; k < kNodeDofs; ++k) {
+      add(left[k] + lane, -load(energy.gradient[kInner + k] + lane));
+      add(right[k] + lane, -load(energy.gradient[kInner + kNodeDofs + k] + lane));
+    }
+  }
+}
+
+inline Pack larger(Pack a, Pack b) { return a > b ? a : b; }
+// 0, or not a number where `a` is none or infinite: comparisons lose it.
+inline Pack poison(Pack a) { return 0.0 * a; }
+
+void largest(const double (*rows)[kLanes], int count, const double* gyration, double* largest_yet) {
+  for (int lane = 0; lane < kLanes; lane += kWidth) {
+    Pack all = load(largest_yet + lane);
+    Pack poisoned = {};
+    const Pack scale = 1.0 / load(gyration + lane);
+    for (int i = 0; i < count; ++i) {
+      for (int k = 0; k < kNodeDofs; ++k) {
+        Pack value = load(rows[kNodeDofs * i + k] + lane);
+        if (k >= 3) value *= scale;
+        all = larger(all, larger(value, -value));
+        poisoned += poison(value);
+      }
+    }
+    store(largest_yet + lane, all + poisoned);
+  }
+}
+
+void advance(Input& in, const double (*motion)[kLanes], const double* active, double* shift2, double* turn2) {
+  for (int lane = 0; lane < kLanes; lane += kWidth) {
+    const Pack share = load(active + lane);
+    Pack largest_shift = load(shift2 + lane), largest_turn = load(turn2 + lane);
+    for (int a = 0; a < kNodes; ++a) {
+      const double(*of)[kLanes] = motion + kFirstDof[a];
+      Pack shift = {};
+      for (int k = 0; k < 3; ++k) {
+        const Pack d = load(of[k] + lane);
+        double* place = in.position[a][k] + lane;
+        const Pack before = load(place);
+        store(place, share != 0.0 ? before + d : before);
+        shift += d * d;
+      }
+      const Pack x = load(of[3] + lane), y = load(of[4] + lane), z = load(of[5] + lane);
+      const Pack turn = x * x + y * y + z * z;
+      // cos and sin(h)/h of half the angle by their series, to rounding up to an angle of 1 rad; larger steps
+      // are refused
+      const Pack h = 0.25 * turn;
+      const Pack c =
+          1.0 - h * (1.0 / 2.0) *
+                    (1.0 - h * (1.0 / 12.0) *
+                               (1.0 - h * (1.0 / 30.0) *
+                                          (1.0 - h * (1.0 / 56.0) *
+                                                     (1.0 - h * (1.0 / 90.0) * (1.0 - h * (1.0 / 132.0))))));
+      const Pack s =
+          0.5 - h * (1.0 / 12.0) *
+                    (1.0 - h * (1.0 / 20.0) *
+                               (1.0 - h * (1.0 / 42.0) *
+                                          (1.0 - h * (1.0 / 72.0) *
+                                                     (1.0 - h * (1.0 / 110.0) * (1.0 - h * (1.0 / 156.0))))));
+      const Pack bx = s * x, by = s * y, bz = s * z;
+      double(*q)[kLanes] = in.quaternion[a];
+      const Pack w0 = load(q[0] + lane), x0 = load(q[1] + lane), y0 = load(q[2] + lane),
+                 z0 = load(q[3] + lane);
+      const Pack w1 = w0 * c - x0 * bx - y0 * by - z0 * bz;
+      const Pack x1 = w0 * bx + x0 * c + y0 * bz - z0 * by;
+      const Pack y1 = w0 * by + y0 * c + z0 * bx - x0 * bz;
+      const Pack z1 = w0 * bz + z0 * c + x0 * by - y0 * bx;
+      // one step of Newton's method from 1 for the inverse norm, which is 1 but for rounding
+      const Pack norm = 1.5 - 0.5 * (w1 * w1 + x1 * x1 + y1 * y1 + z1 * z1);
+      store(q[0] + lane, share != 0.0 ? norm * w1 : w0);
+      store(q[1] + lane, share != 0.0 ? norm * x1 : x0);
+      store(q[2] + lane, share != 0.0 ? norm * y1 : y0);
+      store(q[3] + lane, share != 0.0 ? norm * z1 : z0);
+      largest_shift = larger(largest_shift, shift) + poison(shift);
+      largest_turn = larger(largest_turn, turn) + poison(turn);
+    }
+    store(shift2 + lane, largest_shift);
+    store(turn2 + lane, largest_turn);
+  }
+}
+
+}  // namespace
+
+extern const ChainKernel CABLE_VARIATION_CHAIN_KERNEL = {start, eliminate, condense, expand,
+                                                         force, largest,   advance};
+
+}  // namespace cable_variation::element

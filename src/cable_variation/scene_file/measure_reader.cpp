@@ -1,0 +1,299 @@
+#include <algorithm>
+#include <limits>
+
+#include <cable_variation/scene_file/pose_reader.h>
+#include <cable_variation/scene_file/read_context.h>
+
+namespace cable_variation {
+namespace {
+
+using Keys = std::vector<std::string>;
+
+double largestRadius(const Cable& cable) {
+  double radius = 0.0;
+  for (const SectionAt& knot : cable.sections) radius = std::max(radius, knot.section.radius);
+  return radius;
+}
+
+// The cables of a list of names, each once.
+std::vector<std::size_t> readCableList(const YamlCursor& list, const ReadContext& context) {
+  std::vector<std::size_t> cables;
+  const std::vector<YamlCursor> items = list.items();
+  if (list.isList() && items.empty()) list.fail("the list is empty; expected a cable at least");
+  for (const YamlCursor& item : items) {
+    const std::size_t cable = context.cables.find(item);
+    if (cable == NameTable::npos) continue;
+    if (std::find(cables.begin(), cables.end(), cable) != cables.end()) {
+      item.fail("cable '" + context.cables.name(cable) + "' is there twice");
+    }
+    cables.push_back(cable);
+  }
+  return cables;
+}
+
+// `cable: NAME`, `cables: [NAME, ...]`, or all.
+void readCables(const YamlCursor& item, Measure& measure, const ReadContext& context) {
+  const auto one = item.find("cable");
+  const auto several = item.find("cables");
+  if (one && several) several->fail("'cable' is there too; expected one of them");
+  if (one) {
+    const std::size_t cable = context.cables.find(*one);
+    if (cable != NameTable::npos) measure.cables = {cable};
+  } else if (several) {
+    measure.cables = readCableList(*several, context);
+  } else {
+    for (std::size_t i = 0; i < context.cables.size(); ++i) measure.cables.push_back(i);
+  }
+}
+
+// The cable that an arc length is on.
+void readOneCable(const YamlCursor& item, Measure& measure, const ReadContext& context) {
+  const std::size_t cable = context.cables.find(item, "cable");
+  if (cable != NameTable::npos) measure.cables = {cable};
+}
+
+double lengthOf(const Measure& measure, const ReadContext& context) {
+  return context.cableLength(measure.cables.empty() ? NameTable::npos : measure.cables.front());
+}
+
+void readAxis(const YamlCursor& item, Measure& measure) {
+  if (const auto axis = item.find("axis")) measure.axis = static_cast<Axis>(axis->choice({"x", "y", "z"}));
+}
+
+void readComponentOf(const YamlCursor& item, Measure& measure, const ReadContext& context) {
+  readCables(item, measure, context);
+  const auto name = item.require("component");
+  const std::size_t component = context.components.find(*name);
+  if (component != NameTable::npos) {
+    measure.component = component;
+    if (context.scene.components[component].visuals.empty()) {
+      name->fail("component '" + context.components.name(component) + "' has no shape to measure to");
+    }
+  }
+  measure.skip_near_clips = item.number("skip_near_clips", quantity::length, Range::notNegative(), 0.0);
+}
+
+// Four times the sum of the radii for cables that are joined: there they touch by design.
+double usualSkipNearJoints(const Measure& measure, const ReadContext& context) {
+  constexpr double kRadii = 4.0;
+  const std::vector<Cable>& cables = context.scene.harness.cables;
+  const auto holds = [](const std::vector<std::size_t>& all, std::size_t one) {
+    return std::find(all.begin(), all.end(), one) != all.end();
+  };
+  double skip = 0.0;
+  for (const Joint& joint : context.scene.harness.joints) {
+    const bool between = (holds(measure.cables, joint.parent) && holds(measure.other_cables, joint.child)) ||
+                         (holds(measure.cables, joint.child) && holds(measure.other_cables, joint.parent));
+    if (between) {
+      skip =
+          std::max(skip, kRadii * (largestRadius(cables[joint.parent]) + largestRadius(cables[joint.child])));
+    }
+  }
+  return skip;
+}
+
+void readOtherCables(const YamlCursor& item, Measure& measure, const ReadContext& context) {
+  const auto to = item.find("to_cables");
+  measure.other_cables = readCableList(*to, context);
+  readCables(item, measure, context);
+  const auto is_other = [&](std::size_t cable) {
+    const auto& others = measure.other_cables;
+    return std::find(others.begin(), others.end(), cable) != others.end();
+  };
+  if (!item.has("cable") && !item.has("cables")) {
+    measure.cables.erase(std::remove_if(measure.cables.begin(), measure.cables.end(), is_other),
+                         measure.cables.end());
+    if (measure.cables.empty() && !measure.other_cables.empty()) {
+      to->fail("no cable is left to measure from; expected some of them, not all");
+    }
+  }
+  for (const std::size_t cable : measure.cables) {
+    if (is_other(cable)) {
+      to->fail("cable '" + context.cables.name(cable) + "' would be measured to itself");
+    }
+  }
+  measure.skip_near_joints = item.number("skip_near_joints", quantity::length, Range::notNegative(),
+                                         usualSkipNearJoints(measure, context));
+}
+
+void readDistance(const YamlCursor& item, Measure& measure, const ReadContext& context) {
+  const bool to_component = item.has("component");
+  const bool to_cables = item.has("to_cables");
+  if (to_component == to_cables) {
+    item.fail(to_cables ? "'component' and 'to_cables' are both there; expected one of them"
+                        : "expected 'component' or 'to_cables'");
+    return;
+  }
+  const auto goesWith = [&](const char* key, const char* what) {
+    if (item.has(key)) item.find(key)->fail(std::string("it goes with ") + what);
+  };
+  if (to_component) {
+    goesWith("skip_near_joints", "to_cables");
+    readComponentOf(item, measure, context);
+  } else {
+    goesWith("skip_near_clips", "a component");
+    readOtherCables(item, measure, context);
+  }
+}
+
+void readSimilarity(const YamlCursor& item, Measure& measure, const ReadContext& context) {
+  readCables(item, measure, context);
+  measure.surface = item.flag("surface", false);
+}
+
+void readPosition(const YamlCursor& item, Measure& measure, const ReadContext& context) {
+  readOneCable(item, measure, context);
+  if (const auto at = item.require("at")) measure.arc_length = readArcLength(*at, lengthOf(measure, context));
+  if (const auto direction = item.require("direction")) measure.direction = readAxisOrDirection(*direction);
+}
+
+void readStress(const YamlCursor& item, Measure& measure, const ReadContext& context) {
+  readCables(item, measure, context);
+  for (const std::size_t cable : measure.cables) {
+    for (const SectionAt& knot : context.scene.harness.cables[cable].sections) {
+      if (knot.section.young_modulus > 0.0) continue;
+      item.fail("cable '" + context.cables.name(cable) +
+                "' is given by its stiffness; expected a section with a material, for its stress");
+      break;
+    }
+  }
+}
+
+void readSectionLoad(const YamlCursor& item, Measure& measure, const ReadContext& context) {
+  const auto at = item.find("at");
+  if (at) {
+    if (item.has("cables")) item.find("cables")->fail("'at' is on one of them; expected 'cable'");
+    if (!item.has("cables")) readOneCable(item, measure, context);
+    measure.arc_length = readArcLength(*at, lengthOf(measure, context));
+  } else {
+    readCables(item, measure, context);
+  }
+  readAxis(item, measure);
+}
+
+void readTwist(const YamlCursor& item, Measure& measure, const ReadContext& context) {
+  readOneCable(item, measure, context);
+  const double length = lengthOf(measure, context);
+  const auto from = item.find("from");
+  const auto to = item.find("to");
+  measure.from = from ? readArcLength(*from, length) : 0.0;
+  measure.to = to ? readArcLength(*to, length) : length;
+  if (measure.from >= measure.to) {
+    item.fail("it is from " + shortNumber(measure.from) + " m to " + shortNumber(measure.to) +
+              " m; expected from < to");
+  }
+}
+
+void readClipOf(const YamlCursor& item, Measure& measure, const ReadContext& context, bool must_slide) {
+  const std::size_t clip = context.clips.find(item, "clip");
+  if (clip == NameTable::npos) return;
+  measure.clip = clip;
+  const Clip& held = context.scene.harness.clips[clip];
+  if (held.type == "free") item.find("clip")->fail("a free clip holds nothing");
+  if (must_slide && held.type != "free" && !held.constraint.slides) {
+    item.find("clip")->fail("the cable does not slide through it");
+  }
+}
+
+void readClipLoad(const YamlCursor& item, Measure& measure, const ReadContext& context) {
+  readClipOf(item, measure, context, false);
+  readAxis(item, measure);
+}
+
+void readSlide(const YamlCursor& item, Measure& measure, const ReadContext& context) {
+  readClipOf(item, measure, context, true);
+}
+
+void readNothing(const YamlCursor&, Measure&, const ReadContext&) {}
+
+// A measure's type: its name, what it is measured in, the keys it takes and how they are read.
+struct MeasureType {
+  Measure::Type type;
+  std::string name;
+  const Quantity* quantity;
+  Keys keys;
+  void (*read)(const YamlCursor&, Measure&, const ReadContext&);
+};
+
+const std::vector<MeasureType>& measureTypes() {
+  using Type = Measure::Type;
+  static const std::vector<MeasureType> types{
+      {Type::distance,
+       "distance",
+       &quantity::length,
+       {"cable", "cables", "component", "to_cables", "skip_near_clips", "skip_near_joints"},
+       readDistance},
+      {Type::similarity, "similarity", &quantity::length, {"cable", "cables", "surface"}, readSimilarity},
+      {Type::position, "position", &quantity::length, {"cable", "at", "direction"}, readPosition},
+      {Type::bend_radius, "bend_radius", &quantity::length, {"cable", "cables"}, readCables},
+      {Type::strain, "strain", &quantity::number, {"cable", "cables"}, readCables},
+      {Type::stress, "stress", &quantity::stress, {"cable", "cables"}, readStress},
+      {Type::section_force,
+       "section_force",
+       &quantity::force,
+       {"cable", "cables", "at", "axis"},
+       readSectionLoad},
+      {Type::section_moment,
+       "section_moment",
+       &quantity::moment,
+       {"cable", "cables", "at", "axis"},
+       readSectionLoad},
+      {Type::twist, "twist", &quantity::angle, {"cable", "from", "to"}, readTwist},
+      {Type::clip_force, "clip_force", &quantity::force, {"clip", "axis"}, readClipLoad},
+      {Type::clip_moment, "clip_moment", &quantity::moment, {"clip", "axis"}, readClipLoad},
+      {Type::slide, "slide", &quantity::length, {"clip"}, readSlide},
+      {Type::energy, "energy", &quantity::energy, {}, readNothing},
+      {Type::eigenvalue, "eigenvalue", &quantity::spring, {}, readNothing},
+  };
+  return types;
+}
+
+void readLimits(const YamlCursor& item, const Quantity& quantity, Measure& measure) {
+  if (const auto lower = item.find("lower")) measure.lower = lower->number(quantity);
+  if (const auto upper = item.find("upper")) measure.upper = upper->number(quantity);
+  if (measure.lower && measure.upper && *measure.lower >= *measure.upper) {
+    item.fail("limits from " + shortNumber(*measure.lower) + " to " + shortNumber(*measure.upper) +
+              "; expected lower < upper");
+  }
+}
+
+void readMeasure(const YamlCursor& item, Measure& measure, ReadContext& context) {
+  if (!item.isMap()) {
+    item.checkKeys({"name", "type"});
+    return;
+  }
+  Keys names;
+  for (const MeasureType& type : measureTypes()) names.push_back(type.name);
+  const auto value = item.require("type");
+  if (!value) return;
+  const std::size_t before = context.faults.count();
+  const MeasureType& type = measureTypes()[value->choice(names)];
+  if (context.faults.count() > before) return;
+  Keys keys{"name", "type", "lower", "upper"};
+  keys.insert(keys.end(), type.keys.begin(), type.keys.end());
+  item.checkKeys(keys);
+  measure.type = type.type;
+  measure.unit = *type.quantity->unit ? type.quantity->unit : "1";
+  if (context.cables.size() == 0) {
+    item.fail("the scene has no cables to measure");
+    return;
+  }
+  type.read(item, measure, context);
+  readLimits(item, *type.quantity, measure);
+}
+
+}  // namespace
+
+const char* toString(Measure::Type type) {
+  for (const MeasureType& known : measureTypes()) {
+    if (known.type == type) return known.name.c_str();
+  }
+  return "";
+}
+
+void readMeasures(const YamlCursor& list, ReadContext& context) {
+  readEach(list, context.measures, context.scene.measures,
+           [&](const YamlCursor& item, Measure& measure) { readMeasure(item, measure, context); });
+}
+
+}  // namespace cable_variation

@@ -1,0 +1,106 @@
+#include <cable_variation/scene_file/scene_reader.h>
+
+#include <cstdint>
+
+#include <cable_variation/scene_file/plausibility.h>
+#include <cable_variation/scene_file/read_context.h>
+#include <cable_variation/util/regular_file.h>
+#include <cable_variation/scene_file/yaml_document.h>
+
+namespace cable_variation {
+namespace {
+
+constexpr Range kAccuracy{1e-6, 1e-2, false};  // [m]
+constexpr std::uintmax_t kMostBytes = 16'000'000;
+
+// The line of the thing that a harness's fault begins with: "clip 'NAME' ...".
+int lineOf(const std::string& message, const ReadContext& context) {
+  const std::vector<std::pair<std::string, const NameTable*>> tables{{"clip '", &context.clips},
+                                                                     {"joint '", &context.joints},
+                                                                     {"load '", &context.loads},
+                                                                     {"cable '", &context.cables}};
+  for (const auto& [start, table] : tables) {
+    if (message.compare(0, start.size(), start) != 0) continue;
+    const std::string name = message.substr(start.size(), message.find('\'', start.size()) - start.size());
+    for (std::size_t i = 0; i < table->size(); ++i) {
+      if (table->name(i) == name) return table->line(i);
+    }
+  }
+  return 0;
+}
+
+void readParts(const YamlCursor& root, ReadContext& context) {
+  if (!root.checkKeys({"gravity", "accuracy", "components", "materials", "cables", "clips", "joints", "loads",
+                       "design_variables", "correlations", "measures", "motions"})) {
+    return;
+  }
+  context.scene.harness.gravity =
+      root.vector("gravity", quantity::acceleration, context.scene.harness.gravity);
+  context.scene.accuracy = root.number("accuracy", quantity::length, kAccuracy, context.scene.accuracy);
+  const auto part = [&](const char* key, void (*read)(const YamlCursor&, ReadContext&)) {
+    if (const auto value = root.find(key)) read(*value, context);
+  };
+  part("components", readComponents);
+  part("materials", readMaterials);
+  part("cables", readCables);
+  part("clips", readClips);
+  part("joints", readJoints);
+  part("loads", readLoads);
+  part("design_variables", readDesignVariables);
+  part("correlations", readCorrelations);
+  part("measures", readMeasures);
+  part("motions", readMotions);
+  if (!root.has("components") && !root.has("cables"))
+    root.fail("the scene has neither components nor cables");
+}
+
+// The harness as a whole, and at the limits of each design variable.
+void checkHarness(ReadContext& context) {
+  Scene& scene = context.scene;
+  if (scene.harness.cables.empty()) return;
+  for (const std::string& fault : faultsOf(scene.harness)) context.faults.add(lineOf(fault, context), fault);
+  if (context.faults.count() > 0) return;
+  scene.harness = harnessAt(scene, {});
+  for (std::size_t i = 0; i < scene.design_variables.size(); ++i) {
+    const DesignVariable& variable = scene.design_variables[i];
+    for (const double deviation : {variable.lower, variable.upper}) {
+      try {
+        harnessAt(scene, {{variable.name, variable.nominal + deviation}});
+      } catch (const std::invalid_argument& error) {
+        std::string message = error.what();
+        const std::string who = "design variable '" + variable.name + "': ";
+        if (message.compare(0, who.size(), who) != 0) message.insert(0, who);
+        context.faults.add(context.design_variables.line(i), message + " (at a limit of its tolerance)");
+      }
+    }
+  }
+}
+
+}  // namespace
+
+Scene readScene(const std::string& path, const PackageFinder& find_package) {
+  ReadContext context(path, find_package);
+  YAML::Node root;
+  std::string text;
+  try {
+    text = readWhole(path, kMostBytes);
+  } catch (const std::invalid_argument& error) {
+    context.faults.add(0, std::string("the file ") + error.what());
+  }
+  if (context.faults.count() == 0) {
+    root = readYamlDocument(text, context.faults);
+    if (root.IsMap()) {
+      readParts(YamlCursor(root, root.Mark().line + 1, "", context.faults), context);
+    } else if (context.faults.count() == 0) {
+      context.faults.add(root.IsNull() ? 0 : 1,
+                         "the file is no scene; expected a map with components, cables, clips");
+    }
+  }
+  if (context.faults.count() == 0) checkHarness(context);
+  if (context.faults.count() > 0) throw SceneError(context.faults.sorted());
+  warnOfSlips(YamlCursor(root, root.Mark().line + 1, "", context.faults), context.scene);
+  context.scene.warnings = context.faults.sortedWarnings();
+  return std::move(context.scene);
+}
+
+}  // namespace cable_variation

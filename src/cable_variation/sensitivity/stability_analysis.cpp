@@ -1,0 +1,218 @@
+#include <cable_variation/sensitivity/stability_analysis.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+#include <cable_variation/util/seconds_since.h>
+#include <cable_variation/util/chosen_indices.h>
+#include <cable_variation/measures/open_parts.h>
+#include <cable_variation/tolerances/tolerances.h>
+
+namespace cable_variation {
+namespace {
+
+// One analysis on its way.
+class Analysis {
+ public:
+  Analysis(const Scene& scene, const StabilityOptions& options, EquilibriumSolver solver)
+      : scene_(scene), options_(options), solver_(std::move(solver)) {
+    result_.variables = allOrChosen(options.variables, scene.design_variables.size(), "design variable");
+    result_.measures = allOrChosen(options.measures, scene.measures.size(), "measure");
+  }
+
+  StabilityAnalysis run(const MeasureEvaluator& of_scene) {
+    const Harness harness = harnessAt(scene_, options_.values, options_.moved);
+    const ComponentPoses components = componentPosesAt(scene_, options_.values, options_.moved);
+    const Spread spread = spreadOf(scene_, result_.variables);
+    result_.nominal = solver_.update(harness);
+    if (!result_.nominal.converged()) return std::move(result_);
+    const SolvedScene nominal{harness, result_.nominal, components};
+    const MeasureEvaluator evaluator = of_scene.with(scene_, nominal);
+    differentiate(nominal, evaluator);
+    propagate(spread);
+    if (options_.low_high) resolve(harness, evaluator);
+    return std::move(result_);
+  }
+
+ private:
+  const Measure& measure(std::size_t row) const { return scene_.measures[result_.measures[row]]; }
+  const DesignVariable& variable(std::size_t column) const {
+    return scene_.design_variables[result_.variables[column]];
+  }
+
+  void differentiate(const SolvedScene& nominal, const MeasureEvaluator& evaluator) {
+    result_.values = evaluator.evaluate(nominal, result_.measures);
+    for (std::string& warning :
+         openPartWarnings(scene_, evaluator.parts(), componentsMeasured(scene_, result_.measures))) {
+      result_.warnings.push_back(std::move(warning));
+    }
+    const auto start = Clock::now();
+    const std::vector<DesignRate> design =
+        designRates(scene_, options_.values, options_.moved, result_.variables);
+    std::vector<HarnessRate> harness_rates;
+    harness_rates.reserve(design.size());
+    for (const DesignRate& rate : design) harness_rates.push_back(rate.harness);
+    result_.rates = solver_.differentiate(harness_rates);
+    result_.jacobian = evaluator.jacobian(nominal, result_.measures, result_.values, design, result_.rates);
+    std::vector<double> eigenvalue_rates;
+    for (std::size_t row = 0; row < result_.measures.size(); ++row) {
+      result_.one_sided.push_back(measure(row).type == Measure::Type::similarity);
+      if (result_.values[row].undecided) warn(measure(row).name, ": ", result_.values[row].note);
+      if (!result_.values[row].unique) {
+        warn(measure(row).name, ": ",
+             result_.values[row].note.empty() ? "another place has the same value" : result_.values[row].note,
+             "; its derivatives are those of the place named");
+      }
+      if (measure(row).type != Measure::Type::eigenvalue) continue;
+      if (eigenvalue_rates.empty()) eigenvalue_rates = solver_.eigenvalueRates(harness_rates);
+      for (std::size_t column = 0; column < eigenvalue_rates.size(); ++column) {
+        result_.jacobian(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) =
+            eigenvalue_rates[column];
+      }
+    }
+    for (std::size_t row = 0; row < result_.measures.size(); ++row) {
+      const auto r = static_cast<Eigen::Index>(row);
+      result_.undefined.push_back(whyUndefined(result_.values[row], result_.jacobian.row(r)));
+      if (result_.undefined.back().empty()) continue;
+      result_.jacobian.row(r).setConstant(std::numeric_limits<double>::quiet_NaN());
+      warn(measure(row).name, ": derivatives and spread are not defined: ", result_.undefined.back());
+    }
+    result_.linear_time = secondsSince(start);
+  }
+
+  std::string whyUndefined(const MeasureValue& value, const Eigen::RowVectorXd& gradient) const {
+    const std::string note = value.note.empty() ? "" : " (" + value.note + ")";
+    if (std::isnan(value.value)) return "the nominal design has no value" + note;
+    if (std::isinf(value.value)) return "the value is infinite at the nominal design" + note;
+    for (Eigen::Index column = 0; column < gradient.size(); ++column) {
+      if (std::isfinite(gradient[column])) continue;
+      return "it has no finite derivative by " + variable(static_cast<std::size_t>(column)).name +
+             " at the nominal design" + note;
+    }
+    return "";
+  }
+
+  // First order: mean, variance, contributions, worst case, coupling.
+  void propagate(const Spread& spread) {
+    const auto start = Clock::now();
+    const Eigen::MatrixXd& jacobian = result_.jacobian;
+    const Eigen::Index rows = jacobian.rows(), columns = jacobian.cols();
+    result_.variable_sigma = spread.covariance.diagonal().cwiseSqrt();
+    result_.mean_shift.setZero(rows);
+    result_.sigma.setZero(rows);
+    result_.contribution.setZero(rows, columns);
+    result_.worst_low.setZero(rows);
+    result_.worst_high.setZero(rows);
+    for (Eigen::Index row = 0; row < rows; ++row) {
+      if (!result_.undefined[static_cast<std::size_t>(row)].empty()) {
+        constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+        result_.mean_shift[row] = result_.sigma[row] = kNone;
+        result_.worst_low[row] = result_.worst_high[row] = kNone;
+        result_.contribution.row(row).setConstant(kNone);
+        continue;
+      }
+      const Eigen::VectorXd gradient = jacobian.row(row).transpose();
+      const Eigen::VectorXd parts = gradient.cwiseProduct(spread.covariance * gradient);
+      const double variance = parts.sum();
+      result_.sigma[row] = std::sqrt(std::max(variance, 0.0));
+      if (variance > 0.0) result_.contribution.row(row) = parts.transpose() / variance;
+      const WorstCase worst = worstCase(scene_, result_.variables, gradient);
+      if (result_.one_sided[static_cast<std::size_t>(row)]) {
+        // it grows whichever way the variables go
+        result_.mean_shift[row] = gradient.dot(spread.mean.cwiseAbs());
+        result_.worst_high[row] = std::max(-worst.low, worst.high);
+      } else {
+        result_.mean_shift[row] = gradient.dot(spread.mean);
+        result_.worst_low[row] = worst.low;
+        result_.worst_high[row] = worst.high;
+      }
+    }
+    Eigen::MatrixXd effects = jacobian.unaryExpr([](double x) { return std::isnan(x) ? 0.0 : x; });
+    for (Eigen::Index column = 0; column < columns; ++column) {
+      effects.col(column) *= toleranceOf(static_cast<std::size_t>(column));
+    }
+    result_.coupling = couplingOf(effects);
+    result_.linear_time += secondsSince(start);
+  }
+
+  double toleranceOf(std::size_t column) const {
+    return std::max(-variable(column).lower, variable(column).upper);
+  }
+
+  // Every variable at its limits, the others nominal.
+  void resolve(const Harness& harness, const MeasureEvaluator& evaluator) {
+    const auto start = Clock::now();
+    const LimitFinder finder(scene_, options_.values, options_.moved, harness, result_.nominal, solver_);
+    result_.low_high.assign(result_.measures.size(), std::vector<LowHigh>(result_.variables.size()));
+    double lowest_together = result_.nominal.smallest_eigenvalue;
+    for (std::size_t column = 0; column < result_.variables.size(); ++column) {
+      const double low = resolveAt(finder, evaluator, column, false);
+      const double high = resolveAt(finder, evaluator, column, true);
+      result_.eigenvalue_low.push_back(low);
+      result_.eigenvalue_high.push_back(high);
+      const double lowest = std::fmin(low, high);
+      const double nominal = result_.nominal.smallest_eigenvalue;
+      if (lowest < nominal) lowest_together -= nominal - lowest;
+      if (lowest < kMuchSofter * nominal) {
+        warn("within its tolerance ", variable(column).name, " takes the smallest eigenvalue from ", nominal,
+             " to ", lowest, " N/m: the shape is close to losing its stability");
+      }
+    }
+    if (result_.nominal.smallest_eigenvalue > 0.0 && lowest_together <= 0.0) {
+      warn("all tolerances together, each with its own loss of the smallest eigenvalue, use up all ",
+           result_.nominal.smallest_eigenvalue, " N/m of it: some harness within the tolerances may snap");
+    }
+    result_.resolve_time = secondsSince(start);
+  }
+
+  // Fills a column of low_high; returns the smallest eigenvalue.
+  double resolveAt(const LimitFinder& finder, const MeasureEvaluator& evaluator, std::size_t column,
+                   bool high) {
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    std::vector<MeasureValue> measured(result_.measures.size());
+    for (MeasureValue& value : measured) value.value = kNone;
+    double eigenvalue = kNone;
+    const AtLimit found = finder.find(result_.variables[column], high);
+    if (found.equilibrium.converged()) {
+      measured = evaluator.evaluate({found.harness, found.equilibrium, found.components}, result_.measures,
+                                    &result_.values);
+      eigenvalue = found.equilibrium.smallest_eigenvalue;
+    }
+    if (found.snap) result_.snaps.push_back(*found.snap);
+    if (!found.message.empty()) {
+      warn(variable(column).name, high ? " at its upper limit: " : " at its lower limit: ", found.message);
+    }
+    for (std::size_t row = 0; row < measured.size(); ++row) {
+      LowHigh& entry = result_.low_high[row][column];
+      (high ? entry.high : entry.low) = measured[row].value;
+    }
+    return eigenvalue;
+  }
+
+  template <class... Parts>
+  void warn(const Parts&... parts) {
+    std::ostringstream text;
+    text.precision(3);
+    (text << ... << parts);
+    result_.warnings.push_back(text.str());
+  }
+
+  static constexpr double kMuchSofter = 0.5;
+
+  const Scene& scene_;
+  const StabilityOptions& options_;
+  EquilibriumSolver solver_;
+  StabilityAnalysis result_;
+};
+
+}  // namespace
+
+StabilityAnalysis analyseStability(const Scene& scene, const MeasureEvaluator& evaluator,
+                                   const StabilityOptions& options, EquilibriumSolver solver) {
+  return Analysis(scene, options, std::move(solver)).run(evaluator);
+}
+
+}  // namespace cable_variation
