@@ -1,5 +1,5 @@
 #include <ros_interface/cable_solver.h>
-#include <ros_interface/node_main.h>
+#include <ros_interface/node/node_main.h>
 
 int main(int argc, char** argv) {
   using namespace cable_variation_ros;

@@ -5,10 +5,10 @@
 #include <stdexcept>
 
 #include <cable_variation/scene/moving_components.h>
-#include <ros_interface/message_conversion.h>
-#include <ros_interface/names.h>
-#include <ros_interface/request_status.h>
-#include <ros_interface/scene_loading.h>
+#include <ros_interface/conversion/message_conversion.h>
+#include <ros_interface/node/names.h>
+#include <ros_interface/request/request_status.h>
+#include <ros_interface/conversion/scene_loading.h>
 
 namespace cable_variation_ros {
 

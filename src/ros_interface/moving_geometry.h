@@ -12,9 +12,9 @@
 #include <cable_variation/Seek.h>
 
 #include <cable_variation/scene/scene.h>
-#include <ros_interface/component_display.h>
-#include <ros_interface/motion_player.h>
-#include <ros_interface/node_parameters.h>
+#include <ros_interface/display/component_display.h>
+#include <ros_interface/live/motion_player.h>
+#include <ros_interface/node/node_parameters.h>
 
 namespace cable_variation_ros {
 

@@ -1,9 +1,9 @@
 #include <ros_interface/static_geometry.h>
 
 #include <cable_variation/scene/moving_components.h>
-#include <ros_interface/message_conversion.h>
-#include <ros_interface/names.h>
-#include <ros_interface/scene_loading.h>
+#include <ros_interface/conversion/message_conversion.h>
+#include <ros_interface/node/names.h>
+#include <ros_interface/conversion/scene_loading.h>
 
 namespace cable_variation_ros {
 

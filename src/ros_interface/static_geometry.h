@@ -5,8 +5,8 @@
 #include <ros/node_handle.h>
 #include <tf2_ros/static_transform_broadcaster.h>
 
-#include <ros_interface/component_display.h>
-#include <ros_interface/node_parameters.h>
+#include <ros_interface/display/component_display.h>
+#include <ros_interface/node/node_parameters.h>
 
 namespace cable_variation_ros {
 

@@ -7,7 +7,7 @@
 #include <QFontMetrics>
 #include <QPainter>
 
-#include <ros_interface/colour_map.h>
+#include <ros_interface/markers/colour_map.h>
 #include <rviz_plugins/ticks.h>
 
 namespace cable_variation_rviz {

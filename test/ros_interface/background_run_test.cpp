@@ -1,5 +1,5 @@
 // Long work: watched, called off, and never both cancelled and completed.
-#include <ros_interface/background_run.h>
+#include <ros_interface/runs/background_run.h>
 
 #include <atomic>
 

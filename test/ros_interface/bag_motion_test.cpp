@@ -1,5 +1,5 @@
 // Motions read from bags that the tests write: what is taken, and what is refused with its name.
-#include <ros_interface/bag_motion.h>
+#include <ros_interface/conversion/bag_motion.h>
 
 #include <unistd.h>
 

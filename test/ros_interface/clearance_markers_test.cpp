@@ -1,12 +1,12 @@
 // Clearances of an envelope seen: which are shown, what they say, which triangles are red.
-#include <ros_interface/clearance_markers.h>
+#include <ros_interface/markers/clearance_markers.h>
 
 #include <map>
 #include <set>
 
 #include <gtest/gtest.h>
 
-#include <ros_interface/envelope_conversion.h>
+#include <ros_interface/conversion/envelope_conversion.h>
 
 namespace cable_variation_ros {
 namespace {

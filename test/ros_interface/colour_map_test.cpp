@@ -1,5 +1,5 @@
 // The colour map against entries of its published table, and values outside a scale.
-#include <ros_interface/colour_map.h>
+#include <ros_interface/markers/colour_map.h>
 
 #include <cmath>
 #include <limits>

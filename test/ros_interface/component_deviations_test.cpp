@@ -1,11 +1,11 @@
 // Components that the design moves: where they are in their frames, and the way there by message.
-#include <ros_interface/component_deviations.h>
+#include <ros_interface/conversion/component_deviations.h>
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include <ros_interface/component_markers.h>
+#include <ros_interface/markers/component_markers.h>
 
 namespace cable_variation_ros {
 namespace {

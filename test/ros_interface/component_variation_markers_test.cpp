@@ -1,11 +1,11 @@
 // Parts coloured by their six sigma: hues as on the legend, one scale for all, in the parts' frames.
-#include <ros_interface/component_variation_markers.h>
+#include <ros_interface/markers/component_variation_markers.h>
 
 #include <memory>
 
 #include <gtest/gtest.h>
 
-#include <ros_interface/colour_map.h>
+#include <ros_interface/markers/colour_map.h>
 
 namespace cable_variation_ros {
 namespace {

@@ -1,5 +1,5 @@
 // Envelopes seen: one translucent colour per cable, lit.
-#include <ros_interface/envelope_markers.h>
+#include <ros_interface/markers/envelope_markers.h>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Requests for an envelope: their defaults, and what is refused by name.
-#include <ros_interface/envelope_task.h>
+#include <ros_interface/runs/envelope_task.h>
 
 #include <cmath>
 #include <limits>
@@ -9,8 +9,8 @@
 #include <cable_variation/GenerateEnvelopeGoal.h>
 #include <cable_variation/GenerateEnvelopeResult.h>
 
-#include <ros_interface/request_status.h>
-#include <ros_interface/same_fields.h>
+#include <ros_interface/request/request_status.h>
+#include <ros_interface/node/same_fields.h>
 
 namespace cable_variation_ros {
 namespace {

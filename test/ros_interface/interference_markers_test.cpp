@@ -1,5 +1,5 @@
 // Closest pairs seen: red only where parts are too close.
-#include <ros_interface/interference_markers.h>
+#include <ros_interface/markers/interference_markers.h>
 
 #include <map>
 #include <set>

@@ -1,5 +1,5 @@
 // Texts that do not hide each other.
-#include <ros_interface/label_placing.h>
+#include <ros_interface/markers/label_placing.h>
 
 #include <cmath>
 

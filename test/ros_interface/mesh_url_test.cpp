@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 #include <resource_retriever/retriever.h>
 
-#include <ros_interface/scene_loading.h>
+#include <ros_interface/conversion/scene_loading.h>
 
 namespace cable_variation_ros {
 namespace {

@@ -1,5 +1,5 @@
 // Messages carry what the core's types hold, and bad poses do not get in.
-#include <ros_interface/message_conversion.h>
+#include <ros_interface/conversion/message_conversion.h>
 
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // Where a player is after some time.
-#include <ros_interface/motion_player.h>
+#include <ros_interface/live/motion_player.h>
 
 #include <cmath>
 #include <stdexcept>

@@ -1,5 +1,5 @@
 // One run at a time writes the files of a name.
-#include <ros_interface/name_registry.h>
+#include <ros_interface/request/name_registry.h>
 
 #include <atomic>
 #include <optional>

@@ -1,5 +1,5 @@
 // Files are written below one folder, whatever name is asked for.
-#include <ros_interface/output_directory.h>
+#include <ros_interface/node/output_directory.h>
 
 #include <cstdlib>
 #include <filesystem>

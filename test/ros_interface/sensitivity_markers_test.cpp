@@ -1,11 +1,11 @@
 // The shape's sensitivity seen: colours by |∂φ/∂x|, arrows along it, a legend that tells both scales.
-#include <ros_interface/sensitivity_markers.h>
+#include <ros_interface/markers/sensitivity_markers.h>
 
 #include <cmath>
 
 #include <gtest/gtest.h>
 
-#include <ros_interface/colour_map.h>
+#include <ros_interface/markers/colour_map.h>
 
 namespace cable_variation_ros {
 namespace {

@@ -1,10 +1,10 @@
 // Production seen: colours by the variation along each cable, a sheaf of shapes, a legend that tells both.
-#include <ros_interface/simulation_markers.h>
+#include <ros_interface/markers/simulation_markers.h>
 
 #include <gtest/gtest.h>
 
-#include <ros_interface/colour_map.h>
-#include <ros_interface/marker_colours.h>
+#include <ros_interface/markers/colour_map.h>
+#include <ros_interface/markers/marker_colours.h>
 
 namespace cable_variation_ros {
 namespace {

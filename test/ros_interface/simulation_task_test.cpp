@@ -1,5 +1,5 @@
 // Requests for a simulation: their defaults, and what is refused by name.
-#include <ros_interface/simulation_task.h>
+#include <ros_interface/runs/simulation_task.h>
 
 #include <limits>
 
@@ -8,8 +8,8 @@
 #include <cable_variation/SimulateVariationGoal.h>
 #include <cable_variation/SimulateVariationResult.h>
 
-#include <ros_interface/request_status.h>
-#include <ros_interface/same_fields.h>
+#include <ros_interface/request/request_status.h>
+#include <ros_interface/node/same_fields.h>
 
 namespace cable_variation_ros {
 namespace {

@@ -1,5 +1,5 @@
 // Tasks handed to the thread that spins.
-#include <ros_interface/spinning_thread.h>
+#include <ros_interface/node/spinning_thread.h>
 
 #include <atomic>
 #include <thread>

@@ -1,12 +1,12 @@
 // An analysis and its measures as messages, and which variable is worth looking at first.
-#include <ros_interface/stability_conversion.h>
+#include <ros_interface/conversion/stability_conversion.h>
 
 #include <limits>
 
 #include <gtest/gtest.h>
 
-#include <ros_interface/measure_conversion.h>
-#include <ros_interface/shown_variable.h>
+#include <ros_interface/conversion/measure_conversion.h>
+#include <ros_interface/markers/shown_variable.h>
 
 namespace cable_variation_ros {
 namespace {

@@ -11,7 +11,7 @@
 
 #include <QApplication>
 
-#include <ros_interface/colour_map.h>
+#include <ros_interface/markers/colour_map.h>
 
 namespace cable_variation_rviz {
 namespace {

@@ -1,0 +1,184 @@
+#include <ros_interface/context/solver_context.h>
+
+#include <limits>
+#include <utility>
+
+#include <cable_variation/scene/design_rate.h>
+#include <ros_interface/request/request_status.h>
+
+namespace cable_variation_ros {
+
+using cable_variation::ComponentPoses;
+using cable_variation::Design;
+using cable_variation::DesignValues;
+using cable_variation::Equilibrium;
+using cable_variation::EquilibriumOptions;
+using cable_variation::EquilibriumSolver;
+using cable_variation::Harness;
+using cable_variation::Measure;
+using cable_variation::MeasureEvaluator;
+using cable_variation::MeasureValue;
+using cable_variation::Scene;
+using cable_variation::SolvedScene;
+using cable_variation::StabilityAnalysis;
+using cable_variation::StabilityOptions;
+
+SolverContext::SolverContext(Scene scene)
+    : loaded_(std::move(scene)),
+      design_{loaded_, {}},
+      harness_(harnessAt(design_, {}, moved_)),
+      solver_(newSolver(loaded_)),
+      equilibrium_(solver_.solve(harness_)) {}
+
+EquilibriumSolver SolverContext::newSolver(const Scene& scene) const {
+  EquilibriumOptions options;
+  options.accuracy = scene.accuracy;
+  return EquilibriumSolver(options);
+}
+
+void SolverContext::notify() {
+  evaluator_in_force_ = false;
+  if (changed_) changed_();
+}
+
+void SolverContext::take(EquilibriumSolver solver, Design design, Harness harness, Equilibrium equilibrium) {
+  requireConverged(equilibrium);
+  solver_ = std::move(solver);
+  design_ = std::move(design);
+  harness_ = std::move(harness);
+  equilibrium_ = std::move(equilibrium);
+  ++design_number_;
+  notify();
+}
+
+void SolverContext::load(Scene scene) {
+  Design design{std::move(scene), {}};
+  Harness harness = harnessAt(design, {});
+  EquilibriumSolver solver = newSolver(design.scene);
+  Equilibrium equilibrium = solver.solve(harness);
+  requireConverged(equilibrium);
+  loaded_ = design.scene;
+  moved_.clear();
+  evaluator_.reset();
+  take(std::move(solver), std::move(design), std::move(harness), std::move(equilibrium));
+}
+
+void SolverContext::reset() {
+  Design design{loaded_, {}};
+  Harness harness = harnessAt(design, {}, moved_);
+  EquilibriumSolver solver = newSolver(loaded_);
+  Equilibrium equilibrium = solver.solve(harness);
+  take(std::move(solver), std::move(design), std::move(harness), std::move(equilibrium));
+}
+
+void SolverContext::adopt(Design design) {
+  Harness harness = harnessAt(design, {}, moved_);
+  EquilibriumSolver solver = solver_;
+  Equilibrium equilibrium = solver.update(harness);
+  if (!equilibrium.converged()) equilibrium = solver.solve(harness);
+  take(std::move(solver), std::move(design), std::move(harness), std::move(equilibrium));
+}
+
+void SolverContext::move(const ComponentPoses& moved) {
+  Harness harness = harnessAt(design_, {}, moved);
+  moved_ = moved;
+  harness_ = std::move(harness);
+  equilibrium_ = solver_.update(harness_);
+  if (!equilibrium_.converged()) equilibrium_ = solver_.solve(harness_);
+  notify();
+}
+
+SolverContext::Snapshot SolverContext::snapshot() const {
+  return {design_, moved_, solver_, parts(), design_number_};
+}
+
+cable_variation::ComponentParts SolverContext::parts() const {
+  return evaluator_ ? evaluator_->parts() : cable_variation::ComponentParts();
+}
+
+MeasureEvaluator SolverContext::evaluator(const Snapshot& snapshot) const {
+  const ComponentPoses components = componentPosesAt(design_.scene, design_.shifted, moved_);
+  const SolvedScene any{harness_, equilibrium_, components};
+  return preparedEvaluator(any).with(snapshot.design.scene, any);
+}
+
+SolverContext::Trial SolverContext::solve(const DesignValues& values, const ComponentPoses& moved,
+                                          bool follow) const {
+  Trial trial;
+  trial.harness = harnessAt(design_, values, moved);
+  EquilibriumSolver solver = follow ? solver_ : newSolver(design_.scene);
+  trial.equilibrium = follow ? solver.update(trial.harness) : solver.solve(trial.harness);
+  requireConverged(trial.equilibrium);
+  DesignValues all = values;
+  all.insert(design_.shifted.begin(), design_.shifted.end());
+  trial.components = componentPosesAt(design_.scene, all, moved);
+  return trial;
+}
+
+const MeasureEvaluator& SolverContext::preparedEvaluator(const SolvedScene& any) const {
+  if (!evaluator_) evaluator_.emplace(design_.scene, any);
+  return *evaluator_;
+}
+
+std::vector<MeasureValue> SolverContext::measure(const SolvedScene& at,
+                                                 const std::vector<std::size_t>& measures) const {
+  if (equilibrium_.converged()) {
+    if (!evaluator_in_force_) {
+      const ComponentPoses components = componentPosesAt(design_.scene, design_.shifted, moved_);
+      const SolvedScene nominal{harness_, equilibrium_, components};
+      evaluator_ = preparedEvaluator(nominal).with(design_.scene, nominal);
+      evaluator_in_force_ = true;
+    }
+    return evaluator_->evaluate(at, measures);
+  }
+  std::vector<MeasureValue> values = preparedEvaluator(at).with(design_.scene, at).evaluate(at, measures);
+  for (std::size_t i = 0; i < measures.size(); ++i) {
+    if (design_.scene.measures[measures[i]].type != Measure::Type::similarity) continue;
+    values[i] = MeasureValue();
+    values[i].value = std::numeric_limits<double>::quiet_NaN();
+    values[i].note = "the design in force has no equilibrium to compare with";
+  }
+  return values;
+}
+
+std::vector<MeasureValue> SolverContext::measure(const Trial& trial,
+                                                 const std::vector<std::size_t>& measures) const {
+  return measure(SolvedScene{trial.harness, trial.equilibrium, trial.components}, measures);
+}
+
+std::vector<MeasureValue> SolverContext::measure(const std::vector<std::size_t>& measures) const {
+  const ComponentPoses components = componentPosesAt(design_.scene, design_.shifted, moved_);
+  return measure(SolvedScene{harness_, equilibrium_, components}, measures);
+}
+
+StabilityAnalysis SolverContext::analyse(StabilityOptions& options) const {
+  const Harness harness = harnessAt(design_, options.values, moved_);
+  EquilibriumSolver solver = solver_;
+  Equilibrium equilibrium = options.values.empty() ? equilibrium_ : solver.update(harness);
+  if (!equilibrium.converged() && !options.values.empty()) equilibrium = solver.solve(harness);
+  requireConverged(equilibrium);
+  options.values.insert(design_.shifted.begin(), design_.shifted.end());
+  options.moved = moved_;
+  const ComponentPoses components = componentPosesAt(design_.scene, options.values, moved_);
+  const MeasureEvaluator& prepared = preparedEvaluator({harness, equilibrium, components});
+  return analyseStability(design_.scene, prepared, options, std::move(solver));
+}
+
+cable_variation::EquilibriumRate SolverContext::shapeRate(std::size_t variable) const {
+  EquilibriumSolver solver = solver_;
+  const auto design = designRates(design_.scene, design_.shifted, moved_, {variable});
+  return solver.differentiate({design.front().harness}).front();
+}
+
+EquilibriumSolver solverAt(const SolverContext::Snapshot& snapshot,
+                           const cable_variation::VariedDesign& design, bool other) {
+  EquilibriumSolver solver = snapshot.solver;
+  if (!other) return solver;
+  const Harness harness = harnessAt(snapshot.design.scene, design.values, design.moved);
+  Equilibrium equilibrium = solver.update(harness);
+  if (!equilibrium.converged()) equilibrium = solver.solve(harness);
+  requireConverged(equilibrium);
+  return solver;
+}
+
+}  // namespace cable_variation_ros

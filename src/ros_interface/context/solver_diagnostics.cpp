@@ -1,0 +1,60 @@
+#include <ros_interface/context/solver_diagnostics.h>
+
+#include <ros/node_handle.h>
+
+#include <ros_interface/conversion/scene_loading.h>
+#include <ros_interface/context/solver_context.h>
+
+namespace cable_variation_ros {
+
+SolverDiagnostics::SolverDiagnostics(ros::NodeHandle& node, const SolverContext& context)
+    : context_(context), converged_(context.equilibrium().converged()) {
+  updater_.setHardwareID("none");
+  updater_.add("equilibrium",
+               [this](diagnostic_updater::DiagnosticStatusWrapper& status) { report(status); });
+  updater_.add("scene", [this](diagnostic_updater::DiagnosticStatusWrapper& status) { reportScene(status); });
+  timer_ = node.createWallTimer(ros::WallDuration(1.0),
+                                [this](const ros::WallTimerEvent&) { updater_.force_update(); });
+}
+
+void SolverDiagnostics::contextChanged() {
+  const bool converged = context_.equilibrium().converged();
+  if (converged == converged_) return;
+  converged_ = converged;
+  updater_.force_update();
+}
+
+void SolverDiagnostics::report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
+  const cable_variation::Equilibrium& equilibrium = context_.equilibrium();
+  if (equilibrium.converged()) {
+    status.summary(diagnostic_msgs::DiagnosticStatus::OK, "stable equilibrium");
+  } else {
+    status.summary(diagnostic_msgs::DiagnosticStatus::ERROR,
+                   std::string(toString(equilibrium.status)) + ": " + equilibrium.message);
+  }
+  status.add("scene", context_.design().scene.source);
+  status.add("cables", context_.harness().cables.size());
+  status.add("clips", context_.harness().clips.size());
+  status.add("components moved", context_.moved().size());
+  status.add("iterations", equilibrium.iterations);
+  status.add("residual [N]", equilibrium.residual);
+  status.add("discretisation error [m]", equilibrium.discretisation_error);
+  status.add("smallest eigenvalue [N/m]", equilibrium.smallest_eigenvalue);
+  status.add("energy [J]", equilibrium.energy.total());
+  status.add("solve time [s]", equilibrium.solve_time);
+  status.add("alternatives", equilibrium.alternatives.size());
+}
+
+void SolverDiagnostics::reportScene(diagnostic_updater::DiagnosticStatusWrapper& status) const {
+  const std::vector<std::string> warnings = warningsOf(context_.design().scene);
+  if (warnings.empty()) {
+    status.summary(diagnostic_msgs::DiagnosticStatus::OK, "nothing in it looks like a slip");
+  } else {
+    status.summary(diagnostic_msgs::DiagnosticStatus::WARN,
+                   warnings.front() + (warnings.size() > 1 ? " (and others)" : ""));
+  }
+  for (std::size_t i = 0; i < warnings.size(); ++i)
+    status.add("warning " + std::to_string(i + 1), warnings[i]);
+}
+
+}  // namespace cable_variation_ros

@@ -1,0 +1,95 @@
+#include <ros_interface/conversion/scene_loading.h>
+
+#include <filesystem>
+
+#include <ros/console.h>
+#include <ros/package.h>
+
+#include <cable_variation/Status.h>
+
+#include <cable_variation/scene/motion_samples.h>
+#include <cable_variation/scene_file/plausibility.h>
+#include <cable_variation/scene/resource_address.h>
+#include <cable_variation/scene_file/scene_reader.h>
+#include <ros_interface/conversion/bag_motion.h>
+#include <ros_interface/request/request_status.h>
+
+namespace cable_variation_ros {
+
+using cable_variation::Component;
+using cable_variation::Motion;
+using cable_variation::Scene;
+using cable_variation::SceneError;
+using cable_variation::SceneFault;
+using cable_variation::Status;
+
+namespace {
+
+constexpr std::uintmax_t kMostBytes = 16'000'000;  // of a scene file
+
+std::string parentOf(const Scene& scene, const std::string& name) {
+  for (const Component& component : scene.components) {
+    if (component.name == name) return component.parent;
+  }
+  throw std::invalid_argument("no component named '" + name + "'");
+}
+
+}  // namespace
+
+std::string findPackage(const std::string& package) { return ros::package::getPath(package); }
+
+std::string resolveAddress(const std::string& address, std::uintmax_t most_bytes) {
+  if (address.find("://") != std::string::npos) {
+    try {
+      return cable_variation::localPath(address, findPackage, most_bytes);
+    } catch (const std::invalid_argument& error) {
+      throw RequestError(Status::NOT_FOUND, error.what());
+    }
+  }
+  const std::string obstacle = cable_variation::obstacleTo(address, most_bytes);
+  if (!obstacle.empty()) {
+    std::error_code ignored;
+    const std::filesystem::path where = std::filesystem::absolute(address, ignored);
+    throw RequestError(Status::NOT_FOUND, "'" + where.string() + "' " + obstacle);
+  }
+  return address;
+}
+
+Scene loadScene(const std::string& address) {
+  std::string path;
+  try {
+    path = resolveAddress(address, kMostBytes);
+  } catch (const RequestError& error) {
+    throw RequestError(error.code(), "scene '" + address + "': " + error.what());
+  }
+  Scene scene = cable_variation::readScene(path, findPackage);
+  std::vector<SceneFault> faults;
+  for (Motion& motion : scene.motions) {
+    if (!cable_variation::isBag(motion.file)) continue;
+    const std::string who = "motion '" + motion.name + "': ";
+    try {
+      readBagMotion(motion.path, motion.topic, motion.frame, parentOf(scene, motion.component), motion);
+    } catch (const std::exception& error) {
+      faults.push_back({path, motion.line, who + error.what()});
+      continue;
+    }
+    for (const std::string& remark :
+         {cable_variation::noteOnReplaced(motion), cable_variation::slipOf(motion, scene)}) {
+      if (!remark.empty()) scene.warnings.push_back({path, motion.line, who + remark});
+    }
+  }
+  if (!faults.empty()) throw SceneError(faults);
+  return scene;
+}
+
+std::vector<std::string> warningsOf(const Scene& scene) {
+  std::vector<std::string> texts;
+  for (const SceneFault& warning : scene.warnings) texts.push_back(toString(warning));
+  return texts;
+}
+
+void logWarnings(const Scene& scene) {
+  for (const std::string& warning : warningsOf(scene)) ROS_WARN("%s", warning.c_str());
+}
+
+}  // namespace cable_variation_ros

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <ros/publisher.h>
+
+#include <cable_variation/ComponentDeviations.h>
+
+#include <ros_interface/display/marker_channel.h>
+
+namespace ros {
+class NodeHandle;
+}
+
+namespace cable_variation_ros {
+
+class SolverContext;
+
+class InterferencePublisher;
+
+/// Shows the design in force: ~cables (markers of cables and clips), ~shapes,
+/// ~component_deviations and, as ~interference, what distances were measured.
+class SolverPublisher {
+ public:
+  SolverPublisher(ros::NodeHandle& node, InterferencePublisher& interference);
+  void publish(const SolverContext& context);
+
+ private:
+  MarkerChannel cables_;
+  InterferencePublisher& interference_;
+  ros::Publisher shapes_;
+  ros::Publisher deviations_;
+  cable_variation::ComponentDeviations deviations_shown_;
+};
+
+}  // namespace cable_variation_ros

@@ -1,0 +1,114 @@
+#include <ros_interface/node/node_parameters.h>
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include <ros/node_handle.h>
+
+namespace cable_variation_ros {
+
+namespace {
+
+/// Reads parameters one by one and keeps what is wrong with them.
+class ParameterReader {
+ public:
+  explicit ParameterReader(const ros::NodeHandle& node) : node_(node) {}
+
+  void required(const std::string& name, std::string& value) {
+    if (!node_.hasParam(name)) {
+      fault(name, "is missing");
+    } else if (!node_.getParam(name, value)) {
+      fault(name, "expected a string");
+    } else if (value.empty()) {
+      fault(name, "is empty");
+    }
+  }
+
+  void optional(const std::string& name, bool& value) {
+    if (node_.hasParam(name) && !node_.getParam(name, value)) fault(name, "expected true or false");
+  }
+
+  void optional(const std::string& name, std::string& value) {
+    if (node_.hasParam(name)) required(name, value);
+  }
+
+  void optionalPositive(const std::string& name, double& value, double upper) {
+    if (!node_.hasParam(name)) return;
+    if (!node_.getParam(name, value)) {
+      fault(name, "expected a number");
+    } else if (!(value > 0.0 && value <= upper)) {
+      std::ostringstream text;
+      text << "is " << value << ", expected above 0, at most " << upper;
+      fault(name, text.str());
+    }
+  }
+
+  void optionalCount(const std::string& name, std::size_t& value, int upper) {
+    if (!node_.hasParam(name)) return;
+    int count = 0;
+    if (!node_.getParam(name, count)) {
+      fault(name, "expected a whole number");
+    } else if (count < 0 || count > upper) {
+      fault(name, "is " + std::to_string(count) + ", expected 0 to " + std::to_string(upper));
+    } else {
+      value = static_cast<std::size_t>(count);
+    }
+  }
+
+  void finish() const {
+    if (!faults_.empty()) throw std::invalid_argument("parameters:" + faults_);
+  }
+
+ private:
+  void fault(const std::string& name, const std::string& what) {
+    faults_ += "\n  " + node_.resolveName(name) + " " + what;
+  }
+
+  const ros::NodeHandle& node_;
+  std::string faults_;
+};
+
+constexpr double kHighestRate = 1000.0;  // [Hz]; beyond what ROS timers and tf keep up with
+constexpr double kHighestSpeed = 1e4;
+constexpr double kMostMemory = 1e15;  // [B]
+constexpr int kMostThreads = 1024;    // more than any machine has cores for them
+
+/// A node's parameters: `scene`, which every node has, and what `others` reads.
+template <typename Parameters, typename Others>
+Parameters readParameters(const ros::NodeHandle& node, const Others& others) {
+  Parameters parameters;
+  ParameterReader reader(node);
+  reader.required("scene", parameters.scene);
+  others(reader, parameters);
+  reader.finish();
+  return parameters;
+}
+
+}  // namespace
+
+StaticGeometryParameters readStaticGeometryParameters(const ros::NodeHandle& node) {
+  return readParameters<StaticGeometryParameters>(node, [](ParameterReader&, StaticGeometryParameters&) {});
+}
+
+MovingGeometryParameters readMovingGeometryParameters(const ros::NodeHandle& node) {
+  return readParameters<MovingGeometryParameters>(
+      node, [](ParameterReader& reader, MovingGeometryParameters& parameters) {
+        reader.optionalPositive("rate", parameters.rate_hz, kHighestRate);
+        reader.optional("loop", parameters.loop);
+        reader.optionalPositive("speed", parameters.speed, kHighestSpeed);
+      });
+}
+
+CableSolverParameters readCableSolverParameters(const ros::NodeHandle& node) {
+  return readParameters<CableSolverParameters>(
+      node, [](ParameterReader& reader, CableSolverParameters& parameters) {
+        reader.optional("live", parameters.live);
+        reader.optionalPositive("live_rate", parameters.live_rate_hz, kHighestRate);
+        reader.optionalCount("threads", parameters.threads, kMostThreads);
+        reader.optionalPositive("memory_limit", parameters.memory_limit, kMostMemory);
+        reader.optional("output_directory", parameters.output_directory);
+      });
+}
+
+}  // namespace cable_variation_ros

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+
+#include <ros_interface/node/output_directory.h>
+
+namespace ros {
+class NodeHandle;
+}
+
+namespace cable_variation_ros {
+
+struct StaticGeometryParameters {
+  std::string scene;  ///< path or package:// address of the scene file
+};
+
+struct MovingGeometryParameters {
+  std::string scene;
+  double rate_hz = 50.0;  ///< of the transforms
+  bool loop = true;       ///< start again at the end
+  double speed = 1.0;     ///< seconds of motion per second
+};
+
+struct CableSolverParameters {
+  std::string scene;
+  bool live = false;           ///< follow the components on tf
+  double live_rate_hz = 50.0;  ///< how often to look
+  std::size_t threads = 0;     ///< for envelopes; 0: as many as there are cores
+  double memory_limit = 2e9;   ///< for one envelope or simulation [B]
+  /// Where files are written; made when there is something to write.
+  std::string output_directory = defaultOutputDirectory();
+};
+
+// Each reads the parameters of a node's private handle. Throws
+// std::invalid_argument that lists every missing parameter, wrong type and value
+// out of bounds.
+StaticGeometryParameters readStaticGeometryParameters(const ros::NodeHandle& node);
+MovingGeometryParameters readMovingGeometryParameters(const ros::NodeHandle& node);
+CableSolverParameters readCableSolverParameters(const ros::NodeHandle& node);
+
+}  // namespace cable_variation_ros

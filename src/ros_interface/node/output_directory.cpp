@@ -1,0 +1,62 @@
+#include <ros_interface/node/output_directory.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
+
+namespace cable_variation_ros {
+
+namespace {
+
+constexpr std::size_t kLongestName = 100;  // leaves room for an extension in the 255 bytes file systems allow
+
+bool canNameAFile(const std::string& name) {
+  if (name.empty() || name.size() > kLongestName || name.front() == '.') return false;
+  return std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '-' || c == '.';
+  });
+}
+
+}  // namespace
+
+std::string defaultOutputDirectory() {
+  const char* ros_home = std::getenv("ROS_HOME");
+  const char* home = std::getenv("HOME");
+  std::filesystem::path folder;
+  if (ros_home != nullptr && *ros_home != '\0') {
+    folder = ros_home;
+  } else if (home != nullptr && *home != '\0') {
+    folder = std::filesystem::path(home) / ".ros";
+  }
+  return folder / "cable_variation";
+}
+
+OutputDirectory::OutputDirectory(const std::string& path) : path_(std::filesystem::absolute(path)) {}
+
+void OutputDirectory::checkName(const std::string& name) {
+  if (canNameAFile(name)) return;
+  throw std::invalid_argument("file name '" + name +
+                              "': expected letters, digits, _ - and . (not first), 1 to " +
+                              std::to_string(kLongestName) + " of them");
+}
+
+std::string OutputDirectory::pathOf(const std::string& name, const std::string& extension) const {
+  checkName(name);
+  return std::filesystem::path(path_) / (name + extension);
+}
+
+void OutputDirectory::make() const {
+  std::error_code error;
+  std::filesystem::create_directories(path_, error);
+  if (error) throw std::runtime_error("folder '" + path_ + "' cannot be made: " + error.message());
+}
+
+std::string OutputDirectory::fileFor(const std::string& name, const std::string& extension) const {
+  std::string file = pathOf(name, extension);
+  make();
+  return file;
+}
+
+}  // namespace cable_variation_ros

@@ -1,0 +1,39 @@
+#include <ros_interface/request/design_values.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include <cable_variation/Status.h>
+
+#include <ros_interface/request/request_status.h>
+
+namespace cable_variation_ros {
+
+cable_variation::DesignValues toDesignValues(const cable_variation::Scene& scene,
+                                             const std::vector<std::string>& variables,
+                                             const std::vector<double>& values) {
+  if (variables.size() != values.size()) {
+    throw std::invalid_argument(std::to_string(variables.size()) + " variables but " +
+                                std::to_string(values.size()) + " values, expected one value each");
+  }
+  cable_variation::DesignValues result;
+  for (std::size_t i = 0; i < variables.size(); ++i) {
+    const std::string& name = variables[i];
+    const bool known =
+        std::any_of(scene.design_variables.begin(), scene.design_variables.end(),
+                    [&](const cable_variation::DesignVariable& variable) { return variable.name == name; });
+    if (!known) {
+      throw RequestError(cable_variation::Status::NOT_FOUND, "no design variable named '" + name + "'");
+    }
+    if (!std::isfinite(values[i])) {
+      throw std::invalid_argument("design variable '" + name + "': value is not finite");
+    }
+    if (!result.emplace(name, values[i]).second) {
+      throw std::invalid_argument("design variable '" + name + "' is given twice");
+    }
+  }
+  return result;
+}
+
+}  // namespace cable_variation_ros

@@ -1,0 +1,158 @@
+#include <ros_interface/services/analyze_stability_service.h>
+
+#include <algorithm>
+
+#include <ros/node_handle.h>
+
+#include <cable_variation/util/output_file.h>
+#include <cable_variation/report/page.h>
+#include <cable_variation/report/stability_section.h>
+#include <ros_interface/conversion/component_deviations.h>
+#include <ros_interface/markers/component_variation_markers.h>
+#include <ros_interface/request/design_values.h>
+#include <ros_interface/request/name_lookup.h>
+#include <ros_interface/request/name_registry.h>
+#include <ros_interface/node/names.h>
+#include <ros_interface/request/request_status.h>
+#include <ros_interface/markers/sensitivity_markers.h>
+#include <ros_interface/markers/shown_variable.h>
+#include <ros_interface/context/solver_context.h>
+#include <ros_interface/conversion/stability_conversion.h>
+#include <ros_interface/conversion/utc_time.h>
+#include <ros_interface/display/variation_publisher.h>
+
+namespace cable_variation_ros {
+
+using cable_variation::ComponentPoses;
+using cable_variation::ComponentVariation;
+using cable_variation::DesignVariable;
+using cable_variation::Scene;
+using cable_variation::StabilityAnalysis;
+using cable_variation::StabilityOptions;
+using cable_variation::Status;
+
+namespace {
+
+/// The column whose effect is to be shown: the one asked for, or the one worth
+/// looking at first; none if components are shown.
+std::optional<std::size_t> shownColumn(const cable_variation::AnalyzeStabilityRequest& request,
+                                       const Scene& scene, const StabilityAnalysis& analysis) {
+  if (request.show_components) return std::nullopt;
+  if (request.show.empty()) return mostTellingVariable(scene, analysis);
+  for (std::size_t j = 0; j < analysis.variables.size(); ++j) {
+    if (scene.design_variables[analysis.variables[j]].name == request.show) return j;
+  }
+  throw std::invalid_argument("show: '" + request.show + "' is not among the variables analysed");
+}
+
+std::vector<ComponentVariation> variationsOf(const Scene& scene, const StabilityOptions& options) {
+  std::vector<ComponentVariation> variations;
+  for (std::size_t i = 0; i < scene.components.size(); ++i) {
+    const std::vector<std::size_t> own = ownVariables(scene, i);
+    if (own.empty()) continue;
+    variations.push_back(componentVariation(scene, i, own, options.values, options.moved));
+  }
+  return variations;
+}
+
+}  // namespace
+
+AnalyzeStabilityService::AnalyzeStabilityService(ros::NodeHandle& node, const SolverContext& context,
+                                                 VariationPublisher& publisher, const OutputDirectory& output,
+                                                 NameRegistry& names)
+    : context_(context),
+      publisher_(publisher),
+      output_(output),
+      names_(names),
+      server_(node.advertiseService(kAnalyzeStabilityService, &AnalyzeStabilityService::handle, this)) {}
+
+bool AnalyzeStabilityService::handle(Request& request, Response& response) {
+  Response answer;
+  const Status status = runRequest([&] { answer = analyse(request); });
+  if (status.code == Status::SUCCESS) {
+    response = std::move(answer);
+  } else {
+    response.status = status;
+  }
+  return true;
+}
+
+void AnalyzeStabilityService::follow(const std::string& variable) {
+  const std::vector<DesignVariable>& variables = context_.design().scene.design_variables;
+  const auto found = std::find_if(variables.begin(), variables.end(),
+                                  [&](const DesignVariable& each) { return each.name == variable; });
+  if (found == variables.end() || !context_.equilibrium().converged()) {
+    publisher_.hide();
+    return;
+  }
+  const auto index = static_cast<std::size_t>(found - variables.begin());
+  const SensitivityView view =
+      sensitivityView(*found, context_.harness(), context_.equilibrium(), context_.shapeRate(index));
+  publisher_.show(view.markers, view.legend, [this, variable] { follow(variable); });
+}
+
+AnalyzeStabilityService::Response AnalyzeStabilityService::analyse(const Request& request) {
+  if (!request.report.empty()) OutputDirectory::checkName(request.report);
+  const NameRegistry::Hold hold(names_, "report", request.report, kAnalyzeStabilityService);
+  const cable_variation::Design& design = context_.design();
+  const Scene& scene = design.scene;
+  StabilityOptions options;
+  options.variables = indicesOf(request.variables, scene.design_variables, "design variable");
+  options.measures = indicesOf(request.measures, scene.measures, "measure");
+  if (!request.show.empty()) indicesOf({request.show}, scene.design_variables, "design variable");
+  options.values = toDesignValues(scene, request.nominal_variables, request.nominal_values);
+  options.low_high = !request.skip_low_high;
+  const StabilityAnalysis analysis = context_.analyse(options);
+  requireConverged(analysis.nominal);
+
+  const std::optional<std::size_t> column = shownColumn(request, scene, analysis);
+
+  const ComponentPoses poses = componentPosesAt(scene, options.values, options.moved);
+  const std::vector<ComponentVariation> components = variationsOf(scene, options);
+  Response response = toResponse(scene, options.values, analysis, components, poses);
+  if (!request.report.empty()) writeReport(request.report, scene, analysis, options.values, response);
+
+  if (request.show_components) {
+    const ComponentVariationView view = componentVariationMarkers(
+        scene, components, poses, componentDeviations(scene, options.values, options.moved));
+    publisher_.show(view.markers, view.legend, nullptr);
+  } else if (column) {
+    const DesignVariable& variable = scene.design_variables[analysis.variables[*column]];
+    const cable_variation::Harness harness = harnessAt(scene, options.values, options.moved);
+    const SensitivityView view =
+        sensitivityView(variable, harness, analysis.nominal, analysis.rates[*column]);
+    std::function<void()> renew;
+    if (request.nominal_variables.empty()) renew = [this, name = variable.name] { follow(name); };
+    publisher_.show(view.markers, view.legend, renew);
+    response.shown = variable.name;
+  } else {
+    publisher_.clear();
+  }
+  return response;
+}
+
+void AnalyzeStabilityService::writeReport(const std::string& name, const Scene& scene,
+                                          const StabilityAnalysis& analysis,
+                                          const cable_variation::DesignValues& values,
+                                          Response& response) const {
+  const auto write = [&](const char* extension, const std::string& contents) -> std::string {
+    const std::string path = output_.pathOf(name, extension);
+    try {
+      output_.make();
+      cable_variation::writeFile(path, contents);
+      return path;
+    } catch (const std::exception& problem) {
+      response.status.code = Status::IO_ERROR;
+      std::string& message = response.status.message;
+      if (message.find(problem.what()) == std::string::npos)  // a folder that is not there is told once
+        message += (message.empty() ? "" : "; ") + std::string(problem.what());
+      return "";
+    }
+  };
+  response.csv_file = write(".csv", stabilityCsv(scene, analysis, values));
+  response.report_file =
+      write(".html", cable_variation::reportPage("Stability analysis", {scene.source, utcNow()},
+                                                 {stabilitySection(scene, analysis, values)}));
+}
+
+}  // namespace cable_variation_ros

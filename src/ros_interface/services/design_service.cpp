@@ -1,0 +1,66 @@
+#include <ros_interface/services/design_service.h>
+
+#include <algorithm>
+
+#include <ros/node_handle.h>
+
+#include <ros_interface/request/design_values.h>
+#include <ros_interface/conversion/message_conversion.h>
+#include <ros_interface/node/names.h>
+#include <ros_interface/request/request_status.h>
+#include <ros_interface/context/solver_context.h>
+
+namespace cable_variation_ros {
+
+using cable_variation::Design;
+using cable_variation::Status;
+
+namespace {
+
+template <typename Named>
+void requireKnown(const std::vector<Named>& all, const std::string& name, const char* kind) {
+  const bool known =
+      std::any_of(all.begin(), all.end(), [&](const Named& each) { return each.name == name; });
+  if (!known) throw RequestError(Status::NOT_FOUND, std::string("no ") + kind + " named '" + name + "'");
+}
+
+void apply(const cable_variation::ClipEdit& edit, Design& design) {
+  requireKnown(design.scene.harness.clips, edit.clip, "clip");
+  if (edit.set_pose) setClipPose(design, edit.clip, fromPose(edit.pose, "clip '" + edit.clip + "'"));
+  moveClip(design, edit.clip, fromVector(edit.translation), fromVector(edit.rotation));
+  if (edit.set_arc_length) setClipArcLength(design, edit.clip, edit.arc_length);
+}
+
+Design edited(Design design, const cable_variation::SetDesignRequest& request) {
+  for (const auto& [name, value] : toDesignValues(design.scene, request.variables, request.values)) {
+    setNominal(design, name, value);
+  }
+  for (const cable_variation::CableEdit& edit : request.cables) {
+    requireKnown(design.scene.harness.cables, edit.cable, "cable");
+    setCableLength(design, edit.cable, edit.length);
+  }
+  for (const cable_variation::ClipEdit& edit : request.clips) apply(edit, design);
+  return design;
+}
+
+}  // namespace
+
+DesignService::DesignService(ros::NodeHandle& node, SolverContext& context)
+    : context_(context),
+      set_server_(node.advertiseService(kSetDesignService, &DesignService::set, this)),
+      reset_server_(node.advertiseService(kResetDesignService, &DesignService::reset, this)) {}
+
+bool DesignService::set(cable_variation::SetDesignRequest& request,
+                        cable_variation::SetDesignResponse& response) {
+  response.status = runRequest([&] { context_.adopt(edited(context_.design(), request)); });
+  return true;
+}
+
+bool DesignService::reset(std_srvs::TriggerRequest&, std_srvs::TriggerResponse& response) {
+  const Status status = runRequest([&] { context_.reset(); });
+  response.success = status.code == Status::SUCCESS;
+  response.message = status.message;
+  return true;
+}
+
+}  // namespace cable_variation_ros
