@@ -12,7 +12,7 @@
 #include <cable_variation/equilibrium/batch_solver.h>
 #include <cable_variation/rod/kernel/element_kernel.h>
 #include <cable_variation/scene_file/scene_reader.h>
-#include <harness/cases.h>
+#include <equilibrium/cases.h>
 
 #include "reference_case.h"
 

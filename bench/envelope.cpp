@@ -12,7 +12,7 @@
 #include <cable_variation/envelope/envelope_generator.h>
 
 #include "shipped_case.h"
-#include "variation/hand_held.h"
+#include "envelope/hand_held.h"
 
 namespace cable_variation::bench {
 namespace {

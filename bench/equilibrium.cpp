@@ -11,7 +11,7 @@
 #include <cable_variation/equilibrium/discretisation/grid.h>
 #include <cable_variation/equilibrium/search/minimise.h>
 #include <cable_variation/rod/kernel/element_kernel.h>
-#include <harness/cases.h>
+#include <equilibrium/cases.h>
 
 #include "reference_case.h"
 #include "shooting.h"

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include <harness/cases.h>
+#include <equilibrium/cases.h>
 
 namespace cable_variation::bench {
 

@@ -11,7 +11,7 @@
 #include <stdexcept>
 
 #include <cable_variation/simulation/simulation.h>
-#include <variation/envelope_scenes.h>
+#include <envelope/envelope_scenes.h>
 
 #include "shipped_case.h"
 

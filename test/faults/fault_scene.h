@@ -10,7 +10,7 @@
 #include <cable_variation/scene_file/scene_reader.h>
 
 #include "test_packages.h"
-#include "variation/envelope_scenes.h"
+#include "envelope/envelope_scenes.h"
 
 namespace cable_variation::test {
 

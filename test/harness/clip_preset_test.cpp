@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <harness/case_table.h>
+#include <equilibrium/case_table.h>
 
 namespace cable_variation::test {
 namespace {

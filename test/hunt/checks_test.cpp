@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <harness/cases.h>
+#include <equilibrium/cases.h>
 #include <hunt/balance_check.h>
 #include <hunt/judge.h>
 #include <hunt/rod_integration.h>

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <harness/cases.h>
+#include <equilibrium/cases.h>
 #include <hunt/discrete_minimise.h>
 #include <hunt/discrete_start.h>
 #include <hunt/family.h>

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include <harness/cases.h>
+#include <equilibrium/cases.h>
 
 namespace cable_variation::test {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include <harness/cases.h>
+#include <equilibrium/cases.h>
 
 namespace cable_variation::test {
 namespace {
