@@ -62,7 +62,7 @@ double twistOf(const CableShape& shape) {
 }
 
 // Drawn tight, any number of turns is wound in: GJ θ/L.
-TEST(Twist, OfAnyNumberOfTurnsIsKept) {
+TEST(GivenTwist, OfAnyNumberOfTurnsIsKept) {
   for (const double turns : {1.0, 5.0, 8.0, 9.0, 10.0, -13.0, 16.0}) {
     Cable cable = uniformCable(1.0, roundSection(1e6, 4e5, 0.6, 1.0));
     cable.twist = 2.0 * M_PI * turns;
@@ -73,7 +73,7 @@ TEST(Twist, OfAnyNumberOfTurnsIsKept) {
 }
 
 // Slack, a cable may wind about itself instead: then the answer says so.
-TEST(Twist, ThatBecameWritheIsNoted) {
+TEST(GivenTwist, ThatBecameWritheIsNoted) {
   for (const double turns : {2.0, 4.0, 6.0}) {
     Cable cable = uniformCable(0.5, roundSection(1e4, 4e3, 0.016, 0.02, 0.1));
     cable.twist = 2.0 * M_PI * turns;
@@ -126,7 +126,7 @@ TEST(SprungClip, IsNotWoundUp) {
 
 // Pressed a little beyond Euler's load a column bends over: straight it is stationary, and its Hessian
 // without the load's own stress is positive.
-TEST(PressedColumn, BendsOverWhateverItsStretch) {
+TEST(SlenderColumn, BendsOverWhateverItsStretch) {
   for (const double slenderness : {1e4, 1e6, 1e7, 1e9}) {
     for (const double over : {1.005, 1.01, 1.1, 1.3}) {
       SCOPED_TRACE(testing::Message() << "slenderness " << slenderness << ", " << over << " P");
@@ -142,7 +142,7 @@ TEST(PressedColumn, BendsOverWhateverItsStretch) {
 }
 
 // The same for a pinned one whose end may slide towards the other: the load must not carry it right over.
-TEST(PressedColumn, PinnedStaysBetweenItsEnds) {
+TEST(SlenderColumn, PinnedStaysBetweenItsEnds) {
   for (const double slenderness : {1e4, 1e6, 1e7, 1e8}) {
     Section section = roundSection(slenderness, 0.4 * slenderness, 5.0, 1.0);
     section.EI_y = 5.0;
@@ -163,7 +163,7 @@ TEST(PressedColumn, PinnedStaysBetweenItsEnds) {
   }
 }
 
-TEST(Update, JudgesLoadsByTheHarnessToCome) {
+TEST(UpdatedLoads, JudgesLoadsByTheHarnessToCome) {
   Harness harness = cantilever(uniformCable(0.4, roundSection(1e4, 4e3, 0.02, 0.03, 0.05)));
   harness.loads = {loadAt(0, 0.4, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0})};
   EquilibriumSolver solver;
@@ -178,7 +178,7 @@ TEST(Update, JudgesLoadsByTheHarnessToCome) {
 }
 
 // Two clips that press a short thick piece together: it is not 'too short'.
-TEST(Impossible, PressedTogetherIsNotCalledTooShort) {
+TEST(ReasonOfImpossible, PressedTogetherIsNotCalledTooShort) {
   Harness harness = clamped(uniformCable(0.02, roundSection(1e4, 4e3, 0.2, 0.25, 0.1, 8e-3)),
                             poseAt(0.012, 0.0, 0.0), kWeightless);
   const Equilibrium result = solve(harness);

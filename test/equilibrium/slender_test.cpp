@@ -144,7 +144,7 @@ TEST(SteelHair, CarriesAnEyelet) {
 }
 
 // The place of a ring does not depend on how little the cable stretches.
-TEST(Eyelet, RestsAtTheSamePlaceWhateverTheStretch) {
+TEST(SlenderEyelet, RestsAtTheSamePlaceWhateverTheStretch) {
   for (const double EA : {7e5, 1e6, 1e7, 1e8, 1e9}) {
     Harness harness = clamped(uniformCable(0.36, roundSection(EA, 0.4 * EA, 0.016, 0.02, 0.3)),
                               poseAt(0.3, 0.0, 0.05, {0.0, 0.0, M_PI / 6.0}));
