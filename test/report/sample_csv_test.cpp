@@ -106,6 +106,19 @@ TEST_F(SampleCsvTest, AFolderThatIsNotThereIsAnError) {
   }
 }
 
+TEST_F(SampleCsvTest, AFolderInItsPlaceIsNamed) {
+  fs::create_directories(path_);
+  SampleCsv samples = csv();
+  try {
+    samples.finish();
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("samples.csv' cannot be written: Is a directory"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
 TEST_F(SampleCsvTest, ARunKeepsItsFileWhileItWrites) {
   const double zero = 0.0;
   SampleCsv first = csv();

@@ -46,12 +46,12 @@ SampleCsv::SampleCsv(const std::string& path, const Scene& scene, const std::vec
   if (opened < 0 && errno == EWOULDBLOCK) {
     throw std::runtime_error("file '" + partial_ + "' cannot be written: another run writes it now");
   }
-  if (opened < 0) fail(errno);
+  if (opened < 0) fail(partial_, errno);
   file_.reset(::fdopen(opened, "wb"));
   if (!file_) {
     const int error = errno;
     ::close(opened);
-    fail(error);
+    fail(partial_, error);
   }
   std::string heading = "sample,outcome";
   for (const std::size_t variable : variables) {
@@ -79,16 +79,16 @@ void SampleCsv::add(std::uint64_t index, SampleOutcome outcome, const double* de
 void SampleCsv::finish() {
   requireOpen();
   errno = 0;
-  if (std::fflush(file_.get()) != 0 || ::fsync(::fileno(file_.get())) != 0) fail(errno);
+  if (std::fflush(file_.get()) != 0 || ::fsync(::fileno(file_.get())) != 0) fail(partial_, errno);
   // while it is still ours alone
-  if (std::rename(partial_.c_str(), path_.c_str()) != 0) fail(errno);
+  if (std::rename(partial_.c_str(), path_.c_str()) != 0) fail(path_, errno);
   stop();
 }
 
 void SampleCsv::stop() {
   requireOpen();
   errno = 0;
-  if (std::fclose(file_.release()) != 0) fail(errno);
+  if (std::fclose(file_.release()) != 0) fail(partial_, errno);
 }
 
 void SampleCsv::requireOpen() const {
@@ -98,11 +98,11 @@ void SampleCsv::requireOpen() const {
 void SampleCsv::write(const std::string& line) {
   requireOpen();
   errno = 0;
-  if (std::fwrite(line.data(), 1, line.size(), file_.get()) != line.size()) fail(errno);
+  if (std::fwrite(line.data(), 1, line.size(), file_.get()) != line.size()) fail(partial_, errno);
 }
 
-void SampleCsv::fail(int error) const {
-  throw std::runtime_error("file '" + partial_ + "' cannot be written: " + std::strerror(error));
+void SampleCsv::fail(const std::string& file, int error) {
+  throw std::runtime_error("file '" + file + "' cannot be written: " + std::strerror(error));
 }
 
 }  // namespace cable_variation

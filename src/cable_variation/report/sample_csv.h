@@ -42,7 +42,7 @@ class SampleCsv {
 
   void requireOpen() const;
   void write(const std::string& line);
-  [[noreturn]] void fail(int error) const;
+  [[noreturn]] static void fail(const std::string& file, int error);
 
   std::string path_, partial_;
   std::vector<double> nominal_;
