@@ -60,8 +60,8 @@ TEST_F(SampleCsvTest, ACompleteFileHasItsName) {
   EXPECT_FALSE(fs::exists(samples.partialPath()));
   EXPECT_EQ(contentsOf(path_),
             "sample,outcome,\"length [m]\",\"a \"\"gap\"\" [m]\"\r\n"
-            "0,solved,0.36249999999999999,0.10000000000000001\r\n"
-            "1,not_converged,0.36249999999999999,nan\r\n");
+            "0,solved,0.3625,0.1\r\n"
+            "1,not_converged,0.3625,nan\r\n");
   EXPECT_THROW(samples.add(2, SampleOutcome::solved, &deviation, &value), std::logic_error);
 }
 
