@@ -110,6 +110,7 @@ const std::vector<PhysicsCase> kCases{
     {"d6_nine_turns", 0.3 * kNineTurns* kNineTurns + 0.5, 1e-2, bearsNineTurns},
     {"d7_pressed_column", {}, 0.0, isBowedOver},
     {"long_slack_0122", {}},
+    {"loops_0065", {}},
     {"lower_branches_0001",
      {},
      0.0,

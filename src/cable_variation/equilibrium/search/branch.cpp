@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 #include <cable_variation/equilibrium/discretisation/discretisation.h>
 #include <cable_variation/equilibrium/discretisation/equilibrium_result.h>
@@ -47,10 +48,11 @@ Branch::Branch(const Harness& harness, const EquilibriumOptions& options)
 
 Branch::Branch(const Branch& other) = default;
 
-// From the shape at hand to a minimum near by, or with `settle` to the stationary shape near by.
-bool Branch::descend(bool settle, StartStress stress, Equilibrium& result) {
-  const Minimum minimum =
-      minimise(*problem_.system, problem_.configuration, {options_.max_iterations, settle, stress});
+// From the shape at hand to a minimum near by, or with `settle` to the stationary shape near by; roughly
+// while stretch is softened.
+bool Branch::descend(bool settle, StartStress stress, Equilibrium& result, int most_iterations) {
+  const int iterations = std::min(options_.max_iterations, most_iterations);
+  const Minimum minimum = minimise(*problem_.system, problem_.configuration, {iterations, settle, stress});
   result.iterations += minimum.iterations;
   result.residual = minimum.residual;
   if (settle) unstable_ = !minimum.stable;
@@ -65,7 +67,8 @@ bool Branch::tighten(Equilibrium& result) {
   constexpr double kSmallestGrowth = 2.0;
   constexpr int kIterations = 60;  // of a step that leads to the next shape
   RodSystem* system = problem_.system.get();
-  if (!system->soften(kSearchSlenderness, problem_.configuration)) return true;
+  if (!system->soften(kSearchSlenderness, problem_.configuration))
+    return descend(unstable_, StartStress::own, result);
   // A coarse grid is too stiff for a slender rod, so the grid comes first; finely enough for the shape, which
   // is not yet quite the final one.
   constexpr double kRough = 1e-4;  // of the longest cable
@@ -80,15 +83,10 @@ bool Branch::tighten(Equilibrium& result) {
     const Configuration softer = problem_.configuration;
     system->evaluate(problem_.configuration, RodSystem::Hessian::none);
     system->holdStress();
-    system->soften(softened_ * growth, problem_.configuration);
-    const int before = options_.max_iterations;
-    options_.max_iterations = std::min(before, kIterations);
-    const bool found = descend(unstable_, StartStress::held, result);
-    options_.max_iterations = before;
-    if (found) {
-      softened_ *= growth;
-      continue;
-    }
+    const double before = std::exchange(softened_, softened_ * growth);
+    if (!system->soften(softened_, problem_.configuration)) softened_ = INFINITY;
+    if (descend(unstable_, StartStress::held, result, kIterations)) continue;
+    softened_ = before;
     problem_.configuration = softer;
     growth = std::isfinite(growth) ? std::sqrt(growth) : kGrowth;
     if (growth < kSmallestGrowth) return false;

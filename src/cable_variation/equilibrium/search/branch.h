@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -47,7 +48,8 @@ class Branch {
   void finish(Equilibrium& result);
 
  private:
-  bool descend(bool settle, StartStress stress, Equilibrium& result);
+  bool descend(bool settle, StartStress stress, Equilibrium& result,
+               int most_iterations = std::numeric_limits<int>::max());
   bool adaptGrid(double accuracy, Equilibrium& result);
   void carryTo(const Harness& harness, Topology topology);
   struct OnGrid {

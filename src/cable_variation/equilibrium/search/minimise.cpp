@@ -27,6 +27,9 @@ constexpr double kFinalStep = 1e-6;
 constexpr double kNear = 1e-2;
 constexpr double kContraction = 0.1;
 constexpr double kLeft = 1e-14;  // relative to length and in radians, as a Newton step of kFinalStep leaves
+// Of a rough descent, likewise: the energy is off by the square of what is left.
+constexpr double kRoughStep = 1e-3;
+constexpr double kRoughlyLeft = 1e-5;
 
 struct StepSize {
   double shift = 0.0;  // [m]
@@ -64,6 +67,10 @@ class Descent {
       if (!factorise()) break;
       const StepSize size = lengthen(findStep());
       if (!std::isfinite(size.shift) || !std::isfinite(size.turn)) break;
+      if (isRoughlyFinal(size)) {
+        if (endRoughly()) break;
+        continue;
+      }
       if (!isFinal(size)) {
         if (tryStep(size) && judge()) break;
       } else if (shift_ > std::max(kLargestNeutralShift, 10.0 * neutral_)) {
@@ -148,10 +155,30 @@ class Descent {
     return size.shift < kFinalStep * length_ && size.turn < kFinalStep;
   }
 
+  // A step that leaves next to nothing for a rough descent, and with factors that are positive.
+  bool isRoughlyFinal(const StepSize& size) const {
+    return options_.rough && shift_ == neutral_ && size.shift < kRoughStep * length_ &&
+           size.turn < kRoughStep;
+  }
+
+  // Goes the last step. Whether the Hessian there is positive, by the section forces that the step leads to;
+  // else the descent is no longer a rough one.
+  bool endRoughly() {
+    system_.predictStress(step_);
+    system_.move(step_, configuration_);
+    system_.evaluate(configuration_, Hessian::predicted);
+    predicted_ = true;
+    options_.rough = result_.stationary = result_.stable =
+        system_.factorise(kGentleGrowth * neutral_, metric_) == 0;
+    if (!options_.rough) evaluateAgain();
+    return options_.rough;
+  }
+
   double tolerance() const { return residualTolerance(system_); }
 
   // After a step so small that it ends the iteration, unless the residual or the Hessian here says otherwise.
   bool judge() {
+    if (options_.rough) return true;  // it was
     evaluateExactly();
     const double residual = system_.residual();
     if (residual > tolerance() && ++final_steps_ <= kFinalSteps) return false;
@@ -213,8 +240,10 @@ class Descent {
       const StepSize size = findStep();
       const double contraction = std::max(size.turn / last.turn, size.shift / last.shift);
       if (!(contraction < kContraction)) break;
+      const double left = std::max(size.turn, size.shift / length_) * contraction;
+      if (options_.rough && left < kRoughlyLeft) return endRoughly();
       system_.move(step_, configuration_);
-      if (std::max(size.turn, size.shift / length_) * contraction < kLeft) return true;
+      if (left < kLeft) return true;
       system_.evaluate(configuration_, Hessian::none);
       last = size;
     }

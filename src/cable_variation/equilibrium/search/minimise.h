@@ -15,6 +15,9 @@ struct MinimiseOptions {
   int max_iterations = 400;
   bool settle = false;  ///< only Newton steps to the stationary point near by, stable or not
   StartStress stress = StartStress::own;
+  /// Ends near a minimum, where the Hessian is positive and what is left is so little that the energy is
+  /// known to 1e-8: enough to tell minima apart. The residual is not judged.
+  bool rough = false;
 };
 
 struct Minimum {

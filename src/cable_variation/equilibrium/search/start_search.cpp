@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -38,12 +39,11 @@ class Search {
         best_energy_(initial_.intervals().size(), std::numeric_limits<double>::infinity()) {}
 
   SearchResult run() {
-    const std::vector<Routing> natural(best_routing_.size());
-    attempt(natural);
+    attempt(std::vector<Routing>(best_routing_.size()));
     if (!found_.minima.empty()) natural_ = found_.minima.front().configuration;
     if (options_.multi_start) {
-      chooseSlides(natural);
-      tryOthers(natural);
+      bulgeTogether();
+      tryOthers();
     }
     takeOutTurns();
     findCarriedLoads();
@@ -53,43 +53,70 @@ class Search {
   }
 
  private:
-  // Where sliding clips start for the others: where the lowest of the shapes from several places came from.
-  void chooseSlides(const std::vector<Routing>& natural) {
+  using Bulge = Routing::Bulge;
+  // Every second piece of cable routed as `even`, the others as `odd`, as far as they may; nothing when none
+  // may.
+  std::optional<std::vector<Routing>> routed(const Routing& even, const Routing& odd) const {
+    const auto& intervals = initial_.intervals();
+    std::vector<Routing> routing(intervals.size());
+    bool any = false;
+    for (std::size_t i = 0; i < intervals.size(); ++i) {
+      const Routing& wanted = i % 2 == 0 ? even : odd;
+      if (intervals[i].hinted || (wanted.turns != 0 && !intervals[i].twistable)) continue;
+      if (wanted.bulge == Bulge::stress_free && !intervals[i].preformed) continue;
+      routing[i] = wanted;
+      any = any || wanted.bulge != Bulge::natural || wanted.turns != 0;
+    }
+    return any ? std::make_optional(routing) : std::nullopt;
+  }
+
+  std::optional<std::vector<Routing>> routed(Bulge even, Bulge odd) const {
+    return routed(Routing{even, 0}, Routing{odd, 0});
+  }
+
+  // All pieces bulge the same way, wherever sliding clips start: which shape is lowest depends on both at
+  // once. What follows starts with sliding clips where the lowest of these shapes came from.
+  void bulgeTogether() {
+    constexpr Bulge kWays[] = {Bulge::down, Bulge::up, Bulge::left, Bulge::right};
     double lowest = found_.minima.empty() ? INFINITY : found_.minima.front().energy;
     std::vector<double> best;
-    for (std::vector<double>& start : slideStarts(problem_.harness, problem_.topology)) {
-      arc_lengths_ = std::move(start);
-      const double energy = attempt(natural);
-      if (!(energy < lowest)) continue;
+    const auto consider = [&](const std::optional<std::vector<Routing>>& routing) {
+      const double energy = routing ? attempt(*routing) : INFINITY;
+      if (!(energy < lowest)) return;
       lowest = energy;
       best = arc_lengths_;
+    };
+    consider(routed(Bulge::stress_free, Bulge::stress_free));
+    for (const Bulge way : kWays) consider(routed(way, way));
+    std::size_t next = 0;
+    for (std::vector<double>& start : slideStarts(problem_.harness, problem_.topology)) {
+      arc_lengths_ = std::move(start);
+      consider(std::vector<Routing>(initial_.intervals().size()));
+      const Bulge way = kWays[next++ % std::size(kWays)];
+      consider(routed(way, way));
     }
     arc_lengths_ = best;
   }
 
-  void tryOthers(const std::vector<Routing>& natural) {
-    using Bulge = Routing::Bulge;
-    const Routing others[] = {{Bulge::stress_free, 0}, {Bulge::down, 0},  {Bulge::up, 0},
-                              {Bulge::left, 0},        {Bulge::right, 0}, {Bulge::natural, 1},
-                              {Bulge::natural, -1}};
-    const auto& intervals = initial_.intervals();
-    for (const Routing& other : others) {
-      for (std::size_t parity = 0; parity < 2; ++parity) {
-        std::vector<Routing> routing = natural;
-        bool any = false;
-        for (std::size_t i = parity; i < intervals.size(); i += 2) {
-          if (intervals[i].hinted || (other.turns != 0 && !intervals[i].twistable)) continue;
-          if (other.bulge == Bulge::stress_free && !intervals[i].preformed) continue;
-          routing[i] = other;
-          any = true;
-        }
-        if (any) attempt(routing);
+  // Every second piece another way than its neighbours, a turn more or less, and each piece as it was best.
+  void tryOthers() {
+    if (best_routing_.size() > 1) {
+      constexpr std::pair<Bulge, Bulge> kApart[] = {
+          {Bulge::stress_free, Bulge::natural}, {Bulge::natural, Bulge::stress_free},
+          {Bulge::down, Bulge::natural},        {Bulge::up, Bulge::natural},
+          {Bulge::natural, Bulge::left},        {Bulge::natural, Bulge::right}};
+      for (const auto& [even, odd] : kApart) {
+        if (const auto routing = routed(even, odd)) attempt(*routing);
       }
+    }
+    for (const int turns : {1, -1}) {
+      const Routing turned{Bulge::natural, turns};
+      if (const auto routing = routed(turned, turned)) attempt(*routing);
     }
     const bool mixed = std::any_of(best_routing_.begin(), best_routing_.end(), [](const Routing& r) {
       return r.bulge != Bulge::natural || r.turns != 0;
     });
-    if (mixed && intervals.size() > 1) attempt(best_routing_);
+    if (mixed && best_routing_.size() > 1) attempt(best_routing_);
   }
 
   void sort() {
@@ -173,7 +200,7 @@ class Search {
     Candidate candidate;
     Configuration& configuration = candidate.shape.configuration;
     configuration = std::move(start);
-    const Minimum minimum = minimise(system, configuration, {options_.max_iterations, false, stress});
+    const Minimum minimum = minimise(system, configuration, {options_.max_iterations, false, stress, true});
     result_.iterations += minimum.iterations;
     result_.residual = minimum.residual;
     if (!minimum.stationary) {
