@@ -1,6 +1,7 @@
 #include <cable_variation/sensitivity/coupling.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace cable_variation {

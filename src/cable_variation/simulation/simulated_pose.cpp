@@ -1,6 +1,7 @@
 #include <cable_variation/simulation/simulated_pose.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <sstream>
 #include <stdexcept>

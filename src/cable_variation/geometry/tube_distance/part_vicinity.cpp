@@ -1,6 +1,7 @@
 #include <cable_variation/geometry/tube_distance/part_vicinity.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include <cable_variation/geometry/tube_distance/distance_part.h>
 #include <cable_variation/geometry/tube_distance/tube_section.h>
