@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to measures/
 
 #include <cable_variation/measures/measure_context.h>
 

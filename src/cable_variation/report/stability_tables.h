@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to report/
 
 #include <cable_variation/report/markup.h>
 #include <cable_variation/report/section.h>

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to scene_file/
 
 #include <cable_variation/math/pose.h>
 #include <cable_variation/scene_file/yaml_cursor.h>

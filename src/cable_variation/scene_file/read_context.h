@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to scene_file/
 
 #include <map>
 #include <memory>

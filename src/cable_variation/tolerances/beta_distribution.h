@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to tolerances/
 
 #include <cable_variation/tolerances/distribution.h>
 

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to envelope/
 
 #include <cstdint>
 #include <vector>

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to equilibrium/
 
 #include <cable_variation/equilibrium/derivatives/linear_response.h>
 #include <cable_variation/equilibrium/discretisation/problem.h>

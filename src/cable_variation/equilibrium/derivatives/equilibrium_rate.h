@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to equilibrium/
 
 #include <cable_variation/equilibrium/equilibrium.h>
 #include <cable_variation/equilibrium/derivatives/linear_response.h>

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to equilibrium/
 
 // What RodSystem is made of; for its own sources only.
 

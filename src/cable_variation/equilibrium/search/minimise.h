@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to equilibrium/
 
 #include <cable_variation/equilibrium/discretisation/solve_tolerance.h>
 

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to geometry/
 
 // FCL's hierarchies above triangles, for FCL from 0.6 on, and 0.5, which Ubuntu 20.04 has and which names its
 // types and headers otherwise and has vectors of its own.

@@ -1,4 +1,4 @@
-#pragma once
+#pragma once  // internal to geometry/
 
 // What the searches for closest pairs of cables with parts and with each other have in common.
 
