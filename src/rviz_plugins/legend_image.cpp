@@ -5,6 +5,7 @@
 
 #include <QFont>
 #include <QFontMetrics>
+#include <QLocale>
 #include <QPainter>
 
 #include <ros_interface/markers/colour_map.h>
@@ -28,7 +29,8 @@ QString unitText(const cable_variation::Legend& legend) {
 }
 
 QString originText(const cable_variation::Legend& legend) {
-  return legend.samples == 0 ? QString("computed, first order") : QString("%1 samples").arg(legend.samples);
+  if (legend.samples == 0) return "computed, first order";
+  return QLocale::c().toString(legend.samples) + " samples";
 }
 
 /// A piece of text with its place below those added before.

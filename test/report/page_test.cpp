@@ -36,22 +36,22 @@ ReportSection nastySection() {
 }
 
 TEST(ReportPage, IsWellFormedWhateverTheNames) {
-  const std::string page = reportPage(kNasty, {kNasty, ""}, {nastySection(), nastySection()});
+  const std::string page = reportPage(kNasty, {kNasty, ""}, {kNasty}, {nastySection(), nastySection()});
   EXPECT_EQ(faultOfXml(page), "");
   EXPECT_EQ(page.find("<b>"), std::string::npos);
   EXPECT_NE(page.find("&lt;b&gt;&quot;R&amp;D&quot; &amp; &#39;x&#39;"), std::string::npos);
 }
 
 TEST(ReportPage, OfNothingIsWellFormed) {
-  EXPECT_EQ(faultOfXml(reportPage("empty", {}, {})), "");
+  EXPECT_EQ(faultOfXml(reportPage("empty", {}, {}, {})), "");
   ReportSection section("charts of nothing");
   section.chart(barChart({}), "");
   section.chart(lowHighChart(3.0, {}, std::nullopt, std::nullopt), "");
-  EXPECT_EQ(faultOfXml(reportPage("empty", {}, {section})), "");
+  EXPECT_EQ(faultOfXml(reportPage("empty", {}, {}, {section})), "");
 }
 
 TEST(ReportPage, LoadsNothing) {
-  const std::string page = reportPage("page", {}, {nastySection()});
+  const std::string page = reportPage("page", {}, {}, {nastySection()});
   // Namespaces are names; everything else with an address would be a resource.
   for (const char* attribute : {"src=", "url(", "@import", "<script", "<link", "href=\"http"}) {
     EXPECT_EQ(page.find(attribute), std::string::npos) << attribute;
@@ -59,9 +59,24 @@ TEST(ReportPage, LoadsNothing) {
 }
 
 TEST(ReportPage, KeepsItsSectionsInOrder) {
-  const std::string page = reportPage("page", {}, {ReportSection("first"), ReportSection("second")});
+  const std::string page = reportPage("page", {}, {}, {ReportSection("first"), ReportSection("second")});
   EXPECT_LT(page.find("<h2>first</h2>"), page.find("<h2>second</h2>"));
   EXPECT_NE(page.find("href=\"#section-2\""), std::string::npos);
+}
+
+TEST(ReportPage, TellsItsWarningsBeforeAnyFigure) {
+  const std::string page = reportPage("page", {"about"}, {"a < b", "mm?"}, {ReportSection("first")});
+  EXPECT_NE(page.find("a &lt; b</p>"), std::string::npos);
+  EXPECT_LT(page.find("about"), page.find("a &lt; b</p>"));
+  EXPECT_LT(page.find("mm?</p>"), page.find("<section"));
+}
+
+TEST(ReportSection, SentencesInTablesWrapAndFiguresDoNot) {
+  ReportSection section("tables");
+  section.table(
+      {"", {"a", "b", "c"}, {{{"row"}, {"1.25 … 3.5"}, {"a note that is longer than figures ever are"}}}});
+  EXPECT_NE(section.html().find("<td>1.25"), std::string::npos);
+  EXPECT_NE(section.html().find("<td class=\"text\">a note"), std::string::npos);
 }
 
 TEST(Figure, IsShortAndTrue) {

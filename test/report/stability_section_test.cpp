@@ -72,7 +72,7 @@ class StabilitySection : public testing::Test {
 
 TEST_F(StabilitySection, HasTheAnalysisFiguresInMillimetresAndDegrees) {
   const std::string html = stabilitySection(scene_, analysis_, {{"length", 0.3}}).html();
-  EXPECT_EQ(faultOfXml(reportPage("report", {}, {stabilitySection(scene_, analysis_, {})})), "");
+  EXPECT_EQ(faultOfXml(reportPage("report", {}, {}, {stabilitySection(scene_, analysis_, {})})), "");
   for (const char* expected :
        {"<td class=\"out\">4.3</td>",         // value below the limit of 5 mm
         "−2.1 mm/°", "0.25 mm/mm", "98.5 %",  // derivative and share
@@ -98,7 +98,7 @@ TEST_F(StabilitySection, SaysWhatIsNotDefinedAndWhy) {
   snap.jump = 0.066;
   analysis_.snaps = {snap};
   const ReportSection section = stabilitySection(scene_, analysis_, {});
-  EXPECT_EQ(faultOfXml(reportPage("report", {}, {section})), "");
+  EXPECT_EQ(faultOfXml(reportPage("report", {}, {}, {section})), "");
   EXPECT_EQ(section.html().find("nan"), std::string::npos);
   for (const char* expected :
        {"derivatives not defined: the value is infinite", "D_CAR: not defined: the value", "D_CAR: no lines",
@@ -120,7 +120,7 @@ TEST_F(StabilitySection, WithoutLowAndHighLeavesThemOut) {
   analysis_.eigenvalue_high.clear();
   const ReportSection section = stabilitySection(scene_, analysis_, {});
   EXPECT_EQ(section.html().find("High, low"), std::string::npos);
-  EXPECT_EQ(faultOfXml(reportPage("report", {}, {section})), "");
+  EXPECT_EQ(faultOfXml(reportPage("report", {}, {}, {section})), "");
 }
 
 TEST_F(StabilitySection, WithoutEquilibriumSaysWhy) {

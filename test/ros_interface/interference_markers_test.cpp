@@ -58,7 +58,7 @@ TEST_F(Interference, RedBelowTheLowerLimitAndWherePartsOverlap) {
 
 TEST_F(Interference, TextTellsDistanceAndPlace) {
   EXPECT_EQ(textAt(0.004), "D_CAR 4.0 mm at s = 231 mm");
-  EXPECT_EQ(textAt(-0.0012), "D_CAR -1.2 mm at s = 231 mm");
+  EXPECT_EQ(textAt(-0.0012), "D_CAR overlap 1.2 mm at s = 231 mm");
   EXPECT_EQ(textAt(0.1234), "D_CAR 123 mm at s = 231 mm");
 }
 

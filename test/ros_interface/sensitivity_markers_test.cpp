@@ -93,17 +93,17 @@ TEST_F(Sensitivity, TheLegendTellsTheRangeInUnitsOfPeople) {
   EXPECT_EQ(legend.unit, "mm/deg");
   EXPECT_EQ(legend.minimum, 0.0);
   EXPECT_NEAR(legend.maximum, 1000.0 * M_PI / 180.0, 1e-9);  // 1 m/rad
-  EXPECT_EQ(legend.note, "arrows: shift at +2.86 deg, 1 times");
+  EXPECT_EQ(legend.note, "arrows: shift at +2.86 deg");
 }
 
 TEST_F(Sensitivity, SmallShiftsAreEnlargedMore) {
   for (ShapePointRate& point : rate_.shapes[0]) point.position *= 1e-2;
-  EXPECT_EQ(view().legend.note, "arrows: shift at +2.86 deg, 100 times");
+  EXPECT_EQ(view().legend.note, "arrows: shift at +2.86 deg, enlarged 100 times");
   variable_.unit = "m";
   variable_.upper = 0.0;
   variable_.lower = -1.3e-3;
   // 13 µm at most; 10000 times that would be 130 mm, more than 80.
-  EXPECT_EQ(view().legend.note, "arrows: shift at -1.3 mm, 5000 times");
+  EXPECT_EQ(view().legend.note, "arrows: shift at -1.3 mm, enlarged 5000 times");
   EXPECT_EQ(view().legend.unit, "mm/mm");
   EXPECT_LT(markersOf("bar", Marker::ARROW).back().points[1].z, 0.0);
 }

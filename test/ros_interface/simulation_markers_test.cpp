@@ -99,7 +99,7 @@ TEST_F(SimulationMarkers, ColoursGoBySixSigmaAndCoverTheCable) {
 TEST_F(SimulationMarkers, TheLegendTellsFigureUnitRangeAndSamples) {
   const Legend legend = view().legend;
   EXPECT_NE(legend.title, "");
-  EXPECT_EQ(legend.quantity, "6 sigma, direction of largest");
+  EXPECT_EQ(legend.quantity, "6 sigma in the direction that varies most");
   EXPECT_EQ(legend.unit, "mm");
   EXPECT_EQ(legend.minimum, 0.0);
   EXPECT_NEAR(legend.maximum, 12.0, 1e-12);  // six times 2 mm
@@ -110,7 +110,7 @@ TEST_F(SimulationMarkers, TheLegendTellsFigureUnitRangeAndSamples) {
 TEST_F(SimulationMarkers, RangeInsteadOfSixSigma) {
   simulation_.cables[0].sections[3].range = {0.0, 15e-3, 0.0};
   const Legend legend = view(VariationFigure::range).legend;
-  EXPECT_EQ(legend.quantity, "range, direction of largest");
+  EXPECT_EQ(legend.quantity, "range in the direction that ranges most");
   EXPECT_NEAR(legend.maximum, 15.0, 1e-12);
 }
 

@@ -92,7 +92,6 @@ ReportTable timeTable(const Simulation& simulation) {
 
 ReportSection cableVariationSection(const Scene& scene, const Simulation& simulation) {
   ReportSection section("Along the cables");
-  for (const std::string& warning : simulation.warnings) section.warning(warning);
   const bool over_motion = simulation.times.size() > 1;
   if (over_motion) section.table(timeTable(simulation));
   if (simulation.statistics.count(SampleOutcome::solved) +

@@ -7,8 +7,8 @@
 namespace cable_variation {
 
 /// The chapter of a report on how production varies the cables: six standard deviations and range along each
-/// of them, where they are largest and in which direction; the times of a motion that were solved; the
-/// simulation's warnings. Lengths in mm.
+/// of them, where they are largest and in which direction; the times of a motion that were solved. Lengths in
+/// mm.
 ReportSection cableVariationSection(const Scene& scene, const Simulation& simulation);
 
 }  // namespace cable_variation

@@ -40,6 +40,10 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
+std::string warningHtml(const std::string& text) {
+  return "<p class=\"warning\"><strong>Warning:</strong> " + escaped(text) + "</p>\n";
+}
+
 std::string figure(double value, int digits) {
   if (std::isnan(value)) return "–";
   if (std::isinf(value)) return value > 0.0 ? "∞" : "−∞";

@@ -8,6 +8,9 @@ namespace cable_variation {
 /// hold) replaced by U+FFFD.
 std::string escaped(const std::string& text);
 
+/// A paragraph that stands out, as XHTML. @param text plain
+std::string warningHtml(const std::string& text);
+
 /// A figure for a person, to `digits` significant ones, without trailing zeros; not a number: a dash.
 std::string figure(double value, int digits = 4);
 

@@ -17,8 +17,13 @@ std::string withLineBreaks(const std::string& text) {
 }
 
 std::string cellAttributes(const ReportCell& cell) {
+  constexpr std::size_t kSentence = 40;  // bytes: longer than any figure
   std::string attributes;
-  if (cell.emphasis) attributes += " class=\"out\"";
+  if (cell.emphasis) {
+    attributes += " class=\"out\"";
+  } else if (cell.text.size() > kSentence) {
+    attributes += " class=\"text\"";
+  }
   if (cell.shade > 0.0) {
     attributes += " style=\"background:rgba(38,120,178," + figure(0.6 * std::min(cell.shade, 1.0), 2) + ")\"";
   }
@@ -33,9 +38,7 @@ void ReportSection::heading(const std::string& text) { html_ += "<h3>" + escaped
 
 void ReportSection::paragraph(const std::string& text) { html_ += "<p>" + escaped(text) + "</p>\n"; }
 
-void ReportSection::warning(const std::string& text) {
-  html_ += "<p class=\"warning\"><strong>Warning:</strong> " + escaped(text) + "</p>\n";
-}
+void ReportSection::warning(const std::string& text) { html_ += warningHtml(text); }
 
 void ReportSection::table(const ReportTable& table) {
   html_ += "<table>\n";

@@ -23,12 +23,14 @@ ReportCell optional(const std::optional<double>& value, double factor, int digit
 // Below 1 the spread does not fit between the limits.
 ReportCell index(double value) { return {figure(value, 3), 0.0, value < 1.0}; }
 
-// A small share in parts per million too. Of one that never comes the digits would mean nothing.
+// A small share in parts per million too, a very small one in these alone. Of one that never comes the digits
+// would mean nothing.
 std::string rejects(double share) {
-  constexpr double kNever = 1e-9;
+  constexpr double kNever = 1e-9, kVerySmall = 1e-4, kSmall = 1e-2;
   if (share > 0.0 && share < kNever) return "< 0.001 ppm";
-  const std::string text = percent(share);
-  return share > 0.0 && share < 0.01 ? text + " (" + figure(1e6 * share, 5) + " ppm)" : text;
+  const std::string ppm = figure(1e6 * share, 3) + " ppm";
+  if (share > 0.0 && share < kVerySmall) return ppm;
+  return share > 0.0 && share < kSmall ? percent(share) + " (" + ppm + ")" : percent(share);
 }
 
 // What is less than half a thousandth is nothing here.

@@ -1,77 +1,18 @@
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
+#include <cable_variation/scene/harness_slips.h>
 #include <cable_variation/scene_file/slip_checks.h>
 
 namespace cable_variation {
 namespace {
 
-using Eigen::Vector3d;
-
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kLongestSpan = 10.0;             // cable per distance of the clips that hold it
-constexpr double kLongestBranch = 100.0;          // likewise, of clips on other cables
-constexpr double kLongestBare = 10.0;             // [m], of a length without a unit that nothing explains
-constexpr double kCoincident = 1e-6;              // [m], of clips that make a loop
-const Range kStretchModulus{1e3, 1.2e12, false};  // EA per area [Pa]; little for coiled cords
-const Range kBendingModulus{1e2, 1.2e12, false};  // EI per second moment; little where many wires slide
-const Range kBulkDensity{5.0, 23e3, false};       // mass per length and area [kg/m^3]; little for thin hoses
-
-struct Held {
-  const Clip* clip;
-  std::size_t index;
-};
-
-// Clips that hold a cable in a place, by arc length.
-std::vector<Held> heldPlaces(const Harness& harness, std::size_t cable) {
-  std::vector<Held> held;
-  for (std::size_t i = 0; i < harness.clips.size(); ++i) {
-    const Clip& clip = harness.clips[i];
-    const auto& t = clip.constraint.translation;
-    const bool placed = std::none_of(t.begin(), t.end(),
-                                     [](const ClipFreedom& f) { return f.kind == ClipFreedom::Kind::free; });
-    if (clip.cable == cable && placed) held.push_back({&clip, i});
-  }
-  std::stable_sort(held.begin(), held.end(),
-                   [](const Held& a, const Held& b) { return a.clip->arc_length < b.clip->arc_length; });
-  return held;
-}
-
-// Diagonal of the box about them: of two, their distance.
-double spanOf(const std::vector<Held>& held) {
-  Eigen::AlignedBox3d box;
-  for (const Held& one : held) box.extend(one.clip->pose.position);
-  return box.isEmpty() ? 0.0 : box.diagonal().norm();
-}
-
-double smallestRadius(const Cable& cable) {
-  double radius = cable.sections.front().section.radius;
-  for (const SectionAt& knot : cable.sections) radius = std::min(radius, knot.section.radius);
-  return radius;
-}
-
-double largestRadius(const Cable& cable) {
-  double radius = 0.0;
-  for (const SectionAt& knot : cable.sections) radius = std::max(radius, knot.section.radius);
-  return radius;
-}
-
 void checkThickness(const YamlCursor& item, const Cable& cable) {
-  const double thickness = 2.0 * largestRadius(cable);
-  if (thickness > cable.length) {
-    item.warn("it is " + shortNumber(thickness) + " m thick and " + shortNumber(cable.length) +
-              " m long; in mm, one of them?");
-  }
-  for (const RestCurvatureAt& knot : cable.rest_curvature) {
-    const double bend = knot.curvature.tail<2>().norm();
-    if (!(bend * smallestRadius(cable) > 1.0)) continue;
-    const auto shape = item.find("rest_shape");
-    (shape ? *shape : item)
-        .warn("it bends to a radius of " + shortNumber(1.0 / bend) + " m at " + shortNumber(knot.arc_length) +
-              " m, less than the cable's own of " + shortNumber(smallestRadius(cable)) + " m; in 1/m?");
-    return;
-  }
+  if (const std::string slip = thicknessSlip(cable); !slip.empty()) item.warn(slip);
+  const std::string slip = restShapeSlip(cable);
+  if (slip.empty()) return;
+  const auto shape = item.find("rest_shape");
+  (shape ? *shape : item).warn(slip);
 }
 
 // A stiffness or mass against what a round section of the radius could have.
@@ -85,13 +26,11 @@ void checkAgainst(const YamlCursor& stiffness, const std::string& key, const Qua
               unit + "; cables have " + plausible.text(unit) + meant(*given, value, plausible, units));
 }
 
-// EI and GJ against EA: stiffness in bending comes from what is within the radius.
 void checkBending(const YamlCursor& stiffness, const std::string& key, double EA, double radius) {
-  constexpr double kMost = 100.0;  // a solid round section has 1/4
   const auto given = stiffness.find(key);
   if (!given) return;
   const double value = given->number(quantity::bending_stiffness);
-  const double most = kMost * EA * radius * radius;
+  const double most = mostBendingStiffness(EA, radius);
   if (value <= most) return;
   const Range plausible{0.0, most, true};
   given->warn(given->found() + ", which is " + shortNumber(value) +
@@ -104,83 +43,32 @@ void checkStiffness(const YamlCursor& owner) {
   if (!stiffness) return;
   const double radius = stiffness->number("radius", quantity::length);
   const double EA = stiffness->number("EA", quantity::stretch_stiffness);
-  const double area = kPi * radius * radius;
-  const double second_moment = 0.25 * area * radius * radius;
-  checkAgainst(*stiffness, "EA", quantity::stretch_stiffness, area, kStretchModulus, "modulus", "Pa",
+  const double area = roundArea(radius);
+  const double second_moment = roundSecondMoment(radius);
+  checkAgainst(*stiffness, "EA", quantity::stretch_stiffness, area, kPlausibleStretchModulus, "modulus", "Pa",
                {{"kN", 1e3}, {"MN", 1e6}});
   for (const char* key : {"EI", "EI_y", "EI_z", "GJ"}) {
-    checkAgainst(*stiffness, key, quantity::bending_stiffness, second_moment, kBendingModulus, "modulus",
-                 "Pa", {{"N mm^2", 1e-6}});
+    checkAgainst(*stiffness, key, quantity::bending_stiffness, second_moment, kPlausibleBendingModulus,
+                 "modulus", "Pa", {{"N mm^2", 1e-6}});
     checkBending(*stiffness, key, EA, radius);
   }
-  checkAgainst(*stiffness, "mass_per_length", quantity::mass_per_length, area, kBulkDensity, "density",
-               "kg/m^3", {{"g/m", 1e-3}, {"kg/mm", 1e3}});
-}
-
-// The cables that hang together with one, itself included.
-std::vector<std::size_t> connected(const Harness& harness, std::size_t cable) {
-  std::vector<std::size_t> group{cable};
-  const auto has = [&](std::size_t one) { return std::find(group.begin(), group.end(), one) != group.end(); };
-  for (bool grows = true; grows;) {
-    grows = false;
-    for (const Joint& joint : harness.joints) {
-      if (has(joint.parent) == has(joint.child)) continue;
-      group.push_back(has(joint.parent) ? joint.child : joint.parent);
-      grows = true;
-    }
-  }
-  return group;
-}
-
-// Whether a cable is much longer than what it has to reach.
-std::string tooLong(const YamlCursor& length, const Harness& harness, std::size_t index) {
-  const Cable& cable = harness.cables[index];
-  const std::string meant_unit = length.isBareNumber() ? "; in mm?" : "; is that meant?";
-  const std::vector<Held> own = heldPlaces(harness, index);
-  const double span = spanOf(own);
-  if (span > kCoincident) {
-    const double between = own.back().clip->arc_length - own.front().clip->arc_length;
-    if (between > kLongestSpan * span) {
-      return shortNumber(between) + " m of it are between clips that are " + shortNumber(span) +
-             " m apart; expected less than " + shortNumber(kLongestSpan) + " times as much" + meant_unit;
-    }
-    if (cable.length <= kLongestSpan * span) return "";
-  }
-  if (!length.isBareNumber()) return "";
-  std::vector<Held> all;
-  for (const std::size_t other : connected(harness, index)) {
-    const std::vector<Held> held = heldPlaces(harness, other);
-    all.insert(all.end(), held.begin(), held.end());
-  }
-  const double reach = spanOf(all);
-  if (reach > kCoincident && cable.length > kLongestBranch * reach) {
-    return length.found() + " without a unit, which is " + shortNumber(cable.length) +
-           " m; the clips of its harness are " + shortNumber(reach) + " m apart" + meant_unit;
-  }
-  if (cable.length <= kLongestBare || (reach > kCoincident && cable.length <= kLongestSpan * reach))
-    return "";
-  return length.found() + " without a unit, which is " + shortNumber(cable.length) + " m" + meant_unit;
+  checkAgainst(*stiffness, "mass_per_length", quantity::mass_per_length, area, kPlausibleBulkDensity,
+               "density", "kg/m^3", {{"g/m", 1e-3}, {"kg/mm", 1e3}});
 }
 
 // Clips, and points that the cable is to pass, that it cannot reach by far.
 void checkReach(const YamlCursor& item, const std::vector<YamlCursor>& clips, const Harness& harness,
                 std::size_t index) {
-  constexpr double kFar = 10.0;  // lengths of the cable
   const Cable& cable = harness.cables[index];
-  const std::vector<Held> held = heldPlaces(harness, index);
-  for (std::size_t i = 1; i < held.size(); ++i) {
-    const double apart = (held[i].clip->pose.position - held[i - 1].clip->pose.position).norm();
-    if (apart <= kFar * cable.length) continue;
-    clips[held[i].index].warn("it is " + shortNumber(apart) + " m from clip '" + held[i - 1].clip->name +
-                              "', which is on the same cable '" + cable.name + "' of " +
-                              shortNumber(cable.length) + " m; in mm?");
-  }
+  for (const ClipSlip& slip : reachSlips(harness, index)) clips[slip.clip].warn(slip.text);
+  const std::vector<std::size_t> held = placingClips(harness, index);
   const auto via = item.find("via");
   if (!via || held.empty()) return;
   for (std::size_t i = 0; i < cable.via.size(); ++i) {
-    const double away = (cable.via[i] - held.front().clip->pose.position).norm();
-    if (away <= kFar * cable.length) continue;
-    via->items()[i].warn("the point is " + shortNumber(away) + " m from clip '" + held.front().clip->name +
+    const Clip& first = harness.clips[held.front()];
+    const double away = (cable.via[i] - first.pose.position).norm();
+    if (away <= farthestReach(cable)) continue;
+    via->items()[i].warn("the point is " + shortNumber(away) + " m from clip '" + first.name +
                          "', and the cable is " + shortNumber(cable.length) + " m long; in mm?");
   }
 }
@@ -228,7 +116,8 @@ void checkRouting(const YamlCursor& root, const Scene& scene) {
   const std::vector<YamlCursor> clips = namedItems(root, "clips", "clip");
   for (std::size_t i = 0; i < items.size(); ++i) {
     const auto length = items[i].find("length");
-    const std::string fault = length ? tooLong(*length, scene.harness, i) : "";
+    const std::string fault =
+        length ? lengthSlip(scene.harness, i, length->found(), length->isBareNumber()) : "";
     if (!fault.empty()) length->warn(fault);
     checkReach(items[i], clips, scene.harness, i);
   }

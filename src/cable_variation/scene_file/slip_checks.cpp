@@ -5,6 +5,8 @@
 
 #include <Eigen/Geometry>
 
+#include <cable_variation/scene/harness_slips.h>
+
 namespace cable_variation {
 namespace {
 
@@ -130,11 +132,7 @@ std::string meant(const YamlCursor& number, double value, const Range& plausible
   return list.empty() || !number.isBareNumber() ? "; is that meant?" : "; in " + list + "?";
 }
 
-double longestCable(const Scene& scene) {
-  double longest = 0.0;
-  for (const Cable& cable : scene.harness.cables) longest = std::max(longest, cable.length);
-  return longest;
-}
+double longestCable(const Scene& scene) { return longestCable(scene.harness); }
 
 Vector3d sizeOf(const Component& component) {
   const AlignedBox3d box = boxOf(component, Pose());

@@ -18,6 +18,7 @@ class SolverContext {
   explicit SolverContext(cable_variation::Scene scene);
 
   const cable_variation::Design& design() const { return design_; }
+  const cable_variation::Scene& loaded() const { return loaded_; }      ///< the scene without any edit
   const cable_variation::Harness& harness() const { return harness_; }  ///< in force
   const cable_variation::Equilibrium& equilibrium() const { return equilibrium_; }
   const cable_variation::ComponentPoses& moved() const { return moved_; }

@@ -128,7 +128,7 @@ ComponentVariationView componentVariationMarkers(const Scene& scene,
   if (view.markers.markers.empty()) return view;
 
   view.legend.title = "Variation of parts";
-  view.legend.quantity = "6 sigma, direction of largest";
+  view.legend.quantity = "6 sigma in the direction that varies most";
   view.legend.unit = "mm";
   view.legend.maximum = kMillimetres * largest;
   if (largest_shift > kSmallestShift) {

@@ -19,7 +19,7 @@ const Eigen::Vector4d kNeutral(0.90, 0.94, 0.98, 1.0);
 constexpr double kBall = 0.0016;       // radius [m]
 constexpr double kLine = 0.0006;       // radius [m]
 constexpr double kLeader = 0.0003;     // radius [m]
-constexpr double kTextHeight = 0.009;  // [m]; as the clips' names
+constexpr double kTextHeight = 0.012;  // [m]; RViz loses points of smaller figures
 constexpr double kTextAbove = 0.035;   // the cable, out of what is around it [m]
 
 bool interferes(const Measure& measure, double distance) {
@@ -29,10 +29,12 @@ bool interferes(const Measure& measure, double distance) {
 }  // namespace
 
 std::string distanceText(double distance, double arc_length) {
-  const double millimetres = 1e3 * distance;
-  const int decimals = std::abs(millimetres) < 100.0 ? 1 : 0;
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f mm at s = %.0f mm", decimals, millimetres, 1e3 * arc_length);
+  const double millimetres = std::abs(1e3 * distance);
+  const int decimals = millimetres < 100.0 ? 1 : 0;
+  char text[80];
+  // A minus sign is easily lost among the parts.
+  std::snprintf(text, sizeof text, "%s%.*f mm at s = %.0f mm", distance < 0.0 ? "overlap " : "", decimals,
+                millimetres, 1e3 * arc_length);
   return text;
 }
 

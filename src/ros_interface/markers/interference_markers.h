@@ -19,7 +19,7 @@ struct DistanceMark {
   bool interferes = false;
 };
 
-/// "4.0 mm at s = 231 mm"
+/// "4.0 mm at s = 231 mm", "overlap 1.2 mm at s = 231 mm"
 std::string distanceText(double distance, double arc_length);
 
 /// The closest pairs of distances, namespace interference/MEASURE. They interfere where parts overlap or come

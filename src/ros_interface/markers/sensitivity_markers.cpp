@@ -86,9 +86,12 @@ double shownDeviation(const DesignVariable& variable) {
 std::string arrowNote(const DesignVariable& variable, double enlargement) {
   const CommonUnit unit = commonUnit(variable.unit);
   char text[128];
-  std::snprintf(text, sizeof text, "arrows: shift at %+.3g %s, %g times",
-                unit.factor * shownDeviation(variable), unit.name.c_str(), enlargement);
-  return text;
+  std::snprintf(text, sizeof text, "arrows: shift at %+.3g %s", unit.factor * shownDeviation(variable),
+                unit.name.c_str());
+  if (enlargement == 1.0) return text;
+  char enlarged[48];
+  std::snprintf(enlarged, sizeof enlarged, ", enlarged %g times", enlargement);
+  return std::string(text) + enlarged;
 }
 
 cable_variation::Legend legendOf(const DesignVariable& variable, double largest, double enlargement) {

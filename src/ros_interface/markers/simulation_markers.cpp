@@ -117,8 +117,8 @@ SimulationView simulationView(const Scene& scene, const Simulation& simulation, 
 
   const auto& statistics = simulation.statistics;
   view.legend.title = "Variation in production";
-  view.legend.quantity =
-      figure == VariationFigure::range ? "range, direction of largest" : "6 sigma, direction of largest";
+  view.legend.quantity = figure == VariationFigure::range ? "range in the direction that ranges most"
+                                                          : "6 sigma in the direction that varies most";
   view.legend.unit = "mm";
   view.legend.maximum = kMillimetres * largest;
   view.legend.samples = static_cast<std::uint32_t>(statistics.count(SampleOutcome::solved) +

@@ -65,7 +65,9 @@ GenerateEnvelopeResponse EnvelopeRunner::complete(const GenerateEnvelopeRequest&
   spinning_.run([&] { shown = publisher_.show(std::move(outcome->view), context_); });
   if (!shown) {
     outcome->response.warnings.emplace_back(
-        "not shown: the design or the place of a component has changed meanwhile");
+        "not shown: the design or the place of a component has changed meanwhile; parts in motion can be "
+        "halted "
+        "with moving_geometry_node's ~play");
   }
   return std::move(outcome->response);
 }

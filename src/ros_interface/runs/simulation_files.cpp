@@ -6,6 +6,7 @@
 #include <cable_variation/report/sample_csv.h>
 #include <cable_variation/report/simulation_section.h>
 #include <ros_interface/conversion/utc_time.h>
+#include <ros_interface/conversion/scene_loading.h>
 
 namespace cable_variation_ros {
 
@@ -93,10 +94,12 @@ void SimulationFiles::finish(const Simulation& simulation,
   if (simulation.statistics.samples == 0) return;
   response.statistics_file = written("_statistics.csv", statisticsCsv(scene_, simulation.statistics));
   response.contributions_file = written("_contributions.csv", contributionCsv(scene_, simulation.statistics));
+  std::vector<std::string> warnings = warningsOf(scene_);
+  warnings.insert(warnings.end(), simulation.warnings.begin(), simulation.warnings.end());
   response.report_file =
       written(".html",
               cable_variation::reportPage(
-                  "Variation simulation", about(scene_, task_.options, simulation),
+                  "Variation simulation", about(scene_, task_.options, simulation), warnings,
                   {simulationSection(scene_, simulation.statistics, task_.options.values, &simulation.linear),
                    cableVariationSection(scene_, simulation)}));
 }

@@ -101,7 +101,9 @@ SimulateVariationResponse SimulationRunner::complete(const SimulateVariationRequ
   });
   if (!shown) {
     result.response.warnings.emplace_back(
-        "not shown: the design or the place of a component has changed meanwhile");
+        "not shown: the design or the place of a component has changed meanwhile; parts in motion can be "
+        "halted "
+        "with moving_geometry_node's ~play");
   }
   return std::move(result.response);
 }

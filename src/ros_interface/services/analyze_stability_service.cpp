@@ -20,6 +20,7 @@
 #include <ros_interface/conversion/stability_conversion.h>
 #include <ros_interface/conversion/utc_time.h>
 #include <ros_interface/display/variation_publisher.h>
+#include <ros_interface/conversion/scene_loading.h>
 
 namespace cable_variation_ros {
 
@@ -150,9 +151,9 @@ void AnalyzeStabilityService::writeReport(const std::string& name, const Scene& 
     }
   };
   response.csv_file = write(".csv", stabilityCsv(scene, analysis, values));
-  response.report_file =
-      write(".html", cable_variation::reportPage("Stability analysis", {scene.source, utcNow()},
-                                                 {stabilitySection(scene, analysis, values)}));
+  response.report_file = write(
+      ".html", cable_variation::reportPage("Stability analysis", {scene.source, utcNow()}, warningsOf(scene),
+                                           {stabilitySection(scene, analysis, values)}));
 }
 
 }  // namespace cable_variation_ros

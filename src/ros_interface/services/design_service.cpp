@@ -2,8 +2,10 @@
 
 #include <algorithm>
 
+#include <ros/console.h>
 #include <ros/node_handle.h>
 
+#include <cable_variation/scene/design_slips.h>
 #include <ros_interface/request/design_values.h>
 #include <ros_interface/conversion/message_conversion.h>
 #include <ros_interface/node/names.h>
@@ -13,6 +15,7 @@
 namespace cable_variation_ros {
 
 using cable_variation::Design;
+using cable_variation::SceneFault;
 using cable_variation::Status;
 
 namespace {
@@ -29,6 +32,23 @@ void apply(const cable_variation::ClipEdit& edit, Design& design) {
   if (edit.set_pose) setClipPose(design, edit.clip, fromPose(edit.pose, "clip '" + edit.clip + "'"));
   moveClip(design, edit.clip, fromVector(edit.translation), fromVector(edit.rotation));
   if (edit.set_arc_length) setClipArcLength(design, edit.clip, edit.arc_length);
+}
+
+/// What the edits of a design hardly mean; it is then among the warnings of its scene, wherever these are
+/// told.
+std::vector<std::string> warnOfEdits(const cable_variation::Scene& loaded, Design& design,
+                                     const cable_variation::SetDesignRequest& request) {
+  std::vector<std::string> texts = cable_variation::newSlips({loaded, {}}, design);
+  design.scene.warnings = loaded.warnings;
+  for (const std::string& text : texts) design.scene.warnings.push_back({kSetDesignService, 0, text});
+  for (const cable_variation::ClipEdit& edit : request.clips) {
+    const std::string who = "clip '" + edit.clip + "', ";
+    const std::string turn = cable_variation::turnSlip(fromVector(edit.rotation).norm());
+    const std::string shift = cable_variation::shiftSlip(design.scene, fromVector(edit.translation).norm());
+    if (!turn.empty()) texts.push_back(who + "rotation: " + turn);
+    if (!shift.empty()) texts.push_back(who + "translation: " + shift);
+  }
+  return texts;
 }
 
 Design edited(Design design, const cable_variation::SetDesignRequest& request) {
@@ -52,7 +72,13 @@ DesignService::DesignService(ros::NodeHandle& node, SolverContext& context)
 
 bool DesignService::set(cable_variation::SetDesignRequest& request,
                         cable_variation::SetDesignResponse& response) {
-  response.status = runRequest([&] { context_.adopt(edited(context_.design(), request)); });
+  response.status = runRequest([&] {
+    Design design = edited(context_.design(), request);
+    response.warnings = warnOfEdits(context_.loaded(), design, request);
+    for (const std::string& warning : response.warnings)
+      ROS_WARN("%s: %s", kSetDesignService, warning.c_str());
+    context_.adopt(std::move(design));
+  });
   return true;
 }
 
