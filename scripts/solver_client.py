@@ -34,7 +34,7 @@ def deviations(variables, values):
     for variable, deviation in zip(variables, values):
         limit = variable.upper if deviation > 0 else -variable.lower
         if limit > 0 and abs(deviation) > 0.02 * limit:
-            shares.append((abs(deviation) / limit, '%s %s %s' % (
+            shares.append((abs(deviation) / limit, '%s %s\N{NO-BREAK SPACE}%s' % (
                 variable.name, number(deviation, variable.unit, 3, sign=True), people(variable.unit)[0])))
     return ', '.join(text for _, text in sorted(shares, key=lambda share: -share[0]))
 
@@ -106,21 +106,23 @@ def shortened(text, width):
 
 def table(header, rows, left=1):
     """Prints columns as wide as they need to be, the first `left` of them flush left. Where they are wider
-    than WIDTH together, the first one is shortened, as far as that makes sense."""
+    than WIDTH together, they move closer; then the first one is shortened, as far as that makes sense."""
     widths = [max(len(row[i]) for row in [header] + rows) for i in range(len(header))]
-    widths[0] = max(min(widths[0], 10), widths[0] - max(0, sum(widths) + 2 * len(widths) - WIDTH))
+    gap = 2 if sum(widths) + 2 * len(widths) <= WIDTH else 1
+    widths[0] = max(min(widths[0], 10), widths[0] - max(0, sum(widths) + 1 + gap * len(widths) - WIDTH))
     for row in [header] + rows:
         row = [shortened(row[0], widths[0])] + row[1:]
         cells = [cell.ljust(width) if i < left else cell.rjust(width)
                  for i, (cell, width) in enumerate(zip(row, widths))]
-        print(('  ' + '  '.join(cells)).rstrip())
+        print(('  ' + (gap * ' ').join(cells)).rstrip())
 
 
 def print_wrapped(text):
+    """Lines of at most WIDTH characters, broken at spaces but those that do not break (U+00A0)."""
     line = ' '
-    for word in text.split():
+    for word in filter(None, text.replace('\n', ' ').split(' ')):
         if len(line) + 1 + len(word) > WIDTH and line.strip():
             print(line)
             line = '   '
-        line += ' ' + word
+        line += ' ' + word.replace('\N{NO-BREAK SPACE}', ' ')
     print(line)

@@ -131,6 +131,21 @@ class CableSolverTest(NodeTest):
         start = self.latched('/cable_solver/shapes', CableShapes).cables[0].section[0].orientation
         self.assertAlmostEqual(2 * math.asin(start.z), 0.1, places=6)
 
+    def test_what_an_edit_hardly_means_is_told_until_it_is_undone(self):
+        answer = self.set_design(variables=['a_ry'], values=[2.0])
+        self.assertSuccess(answer.status)
+        self.assertEqual(answer.warnings, ["design variable 'a_ry': it is 2 rad, which is 114.592 deg; in deg?"])
+        self.assertEqual(self.get_scene().warnings, ['set_design: ' + answer.warnings[0]])
+        # It is still so after another edit, and one that is refused is told of too.
+        self.assertEqual(self.set_design(variables=['b_z'], values=[0.001]).warnings, answer.warnings)
+        refused = self.set_design(variables=['b_z'], values=[5.0])
+        self.assertNotEqual(refused.status.code, Status.SUCCESS)
+        self.assertIn("design variable 'b_z': it is 5 m, where the longest cable has 0.312 m; in mm?", refused.warnings)
+        turned = self.set_design(variables=['a_ry'], values=[0.0], clips=[ClipEdit(clip='A', rotation=Vector3(0, 0, 3))])
+        self.assertEqual(turned.warnings, ["clip 'A', rotation: it is 3 rad, which is 171.887 deg; in deg?"])
+        self.assertTrue(self.reset_design().success)
+        self.assertEqual(self.get_scene().warnings, [])
+
     def test_a_refused_design_changes_nothing(self):
         before = self.latched('/cable_solver/shapes', CableShapes)
         scene = self.get_scene()

@@ -35,7 +35,7 @@ class EnvelopeClientTest(NodeTest):
                      'of the volume of 200 random shapes together', 'strand - floor', 'strand - shelf'):
             self.assertIn(part, result.stdout)
         # The shelf is in the way of the sagging strand itself: what was solved meets it.
-        self.assertRegex(result.stdout, r'strand - shelf +-\d.* MEETS')
+        self.assertRegex(result.stdout, r'strand - shelf +-\d.* OVERLAP')
         self.assertRegex(result.stdout, r'strand - shelf is closest with .*b_z [+-][\d.]+ mm')
 
     def test_tells_which_share_of_production_it_holds(self):

@@ -11,7 +11,13 @@ namespace cable_variation {
 namespace {
 
 std::string between(const ConfidenceInterval& interval, double factor, int digits = 4) {
-  return figure(factor * interval.low, digits) + " … " + figure(factor * interval.high, digits);
+  constexpr int kMostDigits = 9;
+  std::string low, high;
+  do {  // to as many digits as tell the ends apart
+    low = figure(factor * interval.low, digits);
+    high = figure(factor * interval.high, digits);
+  } while (low == high && interval.low < interval.high && ++digits <= kMostDigits);
+  return low + " … " + high;
 }
 
 ReportCell plain(const std::string& text) { return {text, 0.0, false}; }
@@ -87,7 +93,7 @@ ReportTable meanTable(const Scene& scene, const SimulationStatistics& statistics
 
 ReportTable capabilityTable(const Scene& scene, const SimulationStatistics& statistics) {
   ReportTable table{"Limits, capability and rejects",
-                    {"measure", "lower limit", "upper limit", "unit", "Cp", "Cpk",
+                    {"measure", "lower\nlimit", "upper\nlimit", "unit", "Cp", "Cpk",
                      "Cpk between\nat " + confidenceText(statistics), "Cpk by\nquantiles",
                      "outside\nobserved", "outside between\nat " + confidenceText(statistics),
                      "outside, with those\nwithout value", "outside if\nnormal"},
@@ -102,8 +108,7 @@ ReportTable capabilityTable(const Scene& scene, const SimulationStatistics& stat
         {plain(measure.name), optional(measure.lower, unit.factor), optional(measure.upper, unit.factor),
          plain(unit.name), c.cp ? index(*c.cp) : plain(""), index(c.cpk),
          plain(between(c.cpk_interval, 1.0, 3)), c.cpk_quantile ? index(*c.cpk_quantile) : plain(""),
-         plain(rejects(c.below + c.above)),
-         plain(percent(c.outside_interval.low) + " … " + percent(c.outside_interval.high)),
+         plain(rejects(c.below + c.above)), plain(between(c.outside_interval, 100.0, 3) + " %"),
          plain(rejects(c.outside_at_worst)), plain(rejects(c.below_normal + c.above_normal))});
   }
   return table;
