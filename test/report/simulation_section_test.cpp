@@ -75,7 +75,7 @@ class SimulationSection : public testing::Test {
 
 TEST_F(SimulationSection, PageIsWellFormedAndHasTheFigures) {
   const SimulationStatistics statistics = simulated(false);
-  const std::string page = reportPage("A harness", {}, {simulationSection(scene_, statistics, {})});
+  const std::string page = reportPage("A harness", {}, {}, {simulationSection(scene_, statistics, {})});
   EXPECT_EQ(faultOfXml(page), "");
   for (const char* text : {"2500 samples of 2 design variables, sampler monte_carlo, seed 42",
                            "start&lt;rz&gt;", "D_CAR", "99.865 %", "First-order Sobol", "R²",

@@ -56,7 +56,7 @@ TEST(DesignSlips, AreTold) {
         Case{"b_rz", 5.0, "design variable 'b_rz': it is 5 rad, which is 286.479 deg; in deg?"},
         Case{"engine_rx", -45.0, "design variable 'engine_rx': it is -45 rad"},
         Case{"hose_length", 310.0, "cable 'hose': 310 m of it are between clips that are 0.25 m apart"},
-        Case{"hose_radius", 5.0, "cable 'hose': it is 10 m thick and 0.3 m long; in mm"},
+        Case{"hose_radius", 0.2, "cable 'hose': it is 0.4 m thick and 0.3 m long; in mm"},
         Case{"hose_EI", 4900.0, "cable 'hose': EI is 4900 N m^2; expected between"},
         Case{"hose_GJ", 3500.0, "cable 'hose': GJ is 3500 N m^2; expected between"},
         Case{"hose_EA", 0.01, "cable 'hose': EA is 0.01 N; expected between"}}) {
