@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <ros_interface/conversion/measure_conversion.h>
-#include <ros_interface/markers/shown_variable.h>
+#include <cable_variation/sensitivity/most_telling_variable.h>
 
 namespace cable_variation_ros {
 namespace {

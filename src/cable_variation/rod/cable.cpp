@@ -46,6 +46,19 @@ Section sectionAt(const Cable& cable, double arc_length) {
   return knots.back().section;
 }
 
+double massOf(const Cable& cable) {
+  const std::vector<SectionAt>& sections = cable.sections;
+  if (sections.size() == 1) return sections.front().section.mass_per_length * cable.length;
+  // Linear between the sections, constant before the first and after the last.
+  double mass = sections.front().section.mass_per_length * sections.front().arc_length +
+                sections.back().section.mass_per_length * (cable.length - sections.back().arc_length);
+  for (std::size_t i = 1; i < sections.size(); ++i) {
+    const double span = sections[i].arc_length - sections[i - 1].arc_length;
+    mass += 0.5 * span * (sections[i - 1].section.mass_per_length + sections[i].section.mass_per_length);
+  }
+  return mass;
+}
+
 void validate(const Cable& cable) {
   if (!(std::isfinite(cable.length) && cable.length > 0.0)) {
     refuse(cable, "length is ", cable.length, " m, expected a positive number");

@@ -42,6 +42,9 @@ struct Cable {
 /// The section at `arc_length`, which is clamped to [0, length].
 Section sectionAt(const Cable& cable, double arc_length);
 
+/// All of it [kg].
+double massOf(const Cable& cable);
+
 /// Ω₀ as the curvature of a curve through `points` [m] (a centripetal spline
 /// with a rotation-minimising frame), sampled over [0, length]. The curve's own
 /// length must agree with `length` within 1 %; it is scaled by the rest.

@@ -14,19 +14,6 @@ using namespace cable_variation;
 
 namespace {
 
-double massOf(const Cable& cable) {
-  const std::vector<SectionAt>& sections = cable.sections;
-  if (sections.size() == 1) return sections.front().section.mass_per_length * cable.length;
-  // Linear between the sections, constant before the first and after the last.
-  double mass = sections.front().section.mass_per_length * sections.front().arc_length +
-                sections.back().section.mass_per_length * (cable.length - sections.back().arc_length);
-  for (std::size_t i = 1; i < sections.size(); ++i) {
-    const double span = sections[i].arc_length - sections[i - 1].arc_length;
-    mass += 0.5 * span * (sections[i - 1].section.mass_per_length + sections[i].section.mass_per_length);
-  }
-  return mass;
-}
-
 CableInfo toInfo(const Cable& cable) {
   CableInfo info;
   info.name = cable.name;

@@ -4,6 +4,7 @@
 
 #include <ros/node_handle.h>
 
+#include <cable_variation/sensitivity/most_telling_variable.h>
 #include <cable_variation/util/output_file.h>
 #include <cable_variation/report/page.h>
 #include <cable_variation/report/stability_section.h>
@@ -15,7 +16,6 @@
 #include <ros_interface/node/names.h>
 #include <ros_interface/request/request_status.h>
 #include <ros_interface/markers/sensitivity_markers.h>
-#include <ros_interface/markers/shown_variable.h>
 #include <ros_interface/context/solver_context.h>
 #include <ros_interface/conversion/stability_conversion.h>
 #include <ros_interface/conversion/utc_time.h>

@@ -1,16 +1,9 @@
-#include <ros_interface/markers/shown_variable.h>
+#include <cable_variation/sensitivity/most_telling_variable.h>
 
 #include <algorithm>
 #include <limits>
 
-namespace cable_variation_ros {
-
-using cable_variation::DesignVariable;
-using cable_variation::EquilibriumRate;
-using cable_variation::Measure;
-using cable_variation::Scene;
-using cable_variation::StabilityAnalysis;
-
+namespace cable_variation {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::infinity();
@@ -62,4 +55,4 @@ std::optional<std::size_t> mostTellingVariable(const Scene& scene, const Stabili
   return largestOf(shifts);
 }
 
-}  // namespace cable_variation_ros
+}  // namespace cable_variation
