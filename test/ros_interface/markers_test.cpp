@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cable_variation/equilibrium/equilibrium.h>
+#include <cable_variation/harness/clip_preset.h>
 
 namespace cable_variation_ros {
 namespace {
@@ -112,22 +113,11 @@ std::string lookOf(const std::string& type, const ClipConstraint& constraint) {
   return look.str();
 }
 
-TEST(ClipMarkers, EachKindLooksDifferent) {
-  const std::vector<std::pair<std::string, ClipConstraint>> kinds = {
-      {"fixed", fixedClip()},
-      {"rolling", rollingClip()},
-      {"pivot", pivotClip()},
-      {"hinge", hingeClip(Axis::y)},
-      {"hinge", hingeClip(Axis::z)},
-      {"sliding", slidingClip()},
-      {"sliding_rolling", slidingRollingClip()},
-      {"eyelet", eyeletClip()},
-      {"guide", guideClip()},
-      {"plane", planeClip(Axis::z)},
-      {"plane", planeClip(Axis::y)},
-      {"grommet", grommetClip({1.0, 1.0, 1.0, 1.0})},
-      {"free", freeClip()},
-      {"general", fixedClip()}};
+// Any two presets, and those with an axis by their axis too.
+TEST(ClipMarkers, everyPresetLooksDifferent) {
+  std::vector<std::pair<std::string, ClipConstraint>> kinds = {{"hinge", hingeClip(Axis::z)},
+                                                               {"plane", planeClip(Axis::y)}};
+  for (const ClipPresetTraits& preset : clipPresets()) kinds.emplace_back(preset.name, preset.constraint({}));
   std::set<std::string> looks;
   for (const auto& [type, constraint] : kinds) {
     const std::string look = lookOf(type, constraint);

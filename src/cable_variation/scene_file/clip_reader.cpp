@@ -1,6 +1,7 @@
-#include <cmath>
-#include <stdexcept>
+#include <array>
+#include <optional>
 
+#include <cable_variation/harness/clip_preset.h>
 #include <cable_variation/scene_file/pose_reader.h>
 #include <cable_variation/scene_file/read_context.h>
 
@@ -13,9 +14,8 @@ Axis readAxis(const YamlCursor& clip, const std::string& key) {
   return static_cast<Axis>(clip.choice(key, {"x", "y", "z"}));
 }
 
-ClipConstraint readGrommet(const YamlCursor& clip) {
+GrommetStiffness readStiffness(const YamlCursor& clip) {
   GrommetStiffness stiffness;
-  const std::size_t before = clip.faults().count();
   const auto springs = clip.require("stiffness");
   if (springs && springs->checkKeys({"axial", "radial", "torsional", "conical"})) {
     stiffness.axial = springs->number("axial", quantity::spring, Range::positive());
@@ -23,8 +23,7 @@ ClipConstraint readGrommet(const YamlCursor& clip) {
     stiffness.torsional = springs->number("torsional", quantity::torsion_spring, Range::positive());
     stiffness.conical = springs->number("conical", quantity::torsion_spring, Range::positive());
   }
-  const bool slides = clip.flag("slides", false);
-  return clip.faults().count() > before ? ClipConstraint() : grommetClip(stiffness, slides);
+  return stiffness;
 }
 
 std::array<ClipFreedom, 3> readFreedoms(const YamlCursor& clip, const std::string& key,
@@ -48,52 +47,62 @@ std::array<ClipFreedom, 3> readFreedoms(const YamlCursor& clip, const std::strin
   return freedoms;
 }
 
-ClipConstraint readGeneral(const YamlCursor& clip) {
-  ClipConstraint constraint;
-  constraint.translation = readFreedoms(clip, "translation", quantity::spring);
-  constraint.rotation = readFreedoms(clip, "rotation", quantity::torsion_spring);
-  constraint.slides = clip.flag("slides", false);
-  return constraint;
-}
-
-// A clip's type: its name, the keys it takes beyond those of all clips, and how it is read.
-struct ClipType {
-  std::string name;
-  Keys keys;
-  ClipConstraint (*read)(const YamlCursor& clip);
+// How a parameter is written: its key, and how it is read.
+struct ParameterForm {
+  ClipParameter parameter;
+  const char* key;
+  void (*read)(const YamlCursor& clip, ClipParameters& given);
 };
 
-const std::vector<ClipType>& clipTypes() {
-  static const Keys mount{"component", "pose"};
-  static const auto with = [](Keys more) {
-    more.insert(more.begin(), mount.begin(), mount.end());
-    return more;
-  };
-  static const std::vector<ClipType> types{
-      {"fixed", mount, [](const YamlCursor&) { return fixedClip(); }},
-      {"rolling", mount, [](const YamlCursor&) { return rollingClip(); }},
-      {"pivot", mount, [](const YamlCursor&) { return pivotClip(); }},
-      {"hinge", with({"axis"}), [](const YamlCursor& clip) { return hingeClip(readAxis(clip, "axis")); }},
-      {"sliding", mount, [](const YamlCursor&) { return slidingClip(); }},
-      {"sliding_rolling", mount, [](const YamlCursor&) { return slidingRollingClip(); }},
-      {"eyelet", mount, [](const YamlCursor&) { return eyeletClip(); }},
-      {"guide", with({"rolls"}), [](const YamlCursor& clip) { return guideClip(clip.flag("rolls", false)); }},
-      {"plane", with({"normal"}), [](const YamlCursor& clip) { return planeClip(readAxis(clip, "normal")); }},
-      {"grommet", with({"stiffness", "slides"}), readGrommet},
-      {"general", with({"translation", "rotation", "slides"}), readGeneral},
-      {"free", {"force", "moment"}, [](const YamlCursor&) { return freeClip(); }},
-  };
-  return types;
+using From = const YamlCursor&;
+using Given = ClipParameters&;
+constexpr std::array<ParameterForm, enumeratorCount<ClipParameter>()> kParameters{{
+    {ClipParameter::axis, "axis", [](From clip, Given given) { given.axis = readAxis(clip, "axis"); }},
+    {ClipParameter::normal, "normal",
+     [](From clip, Given given) { given.normal = readAxis(clip, "normal"); }},
+    {ClipParameter::rolls, "rolls", [](From clip, Given given) { given.rolls = clip.flag("rolls", false); }},
+    {ClipParameter::stiffness, "stiffness",
+     [](From clip, Given given) { given.stiffness = readStiffness(clip); }},
+    {ClipParameter::translation, "translation",
+     [](From clip, Given given) { given.translation = readFreedoms(clip, "translation", quantity::spring); }},
+    {ClipParameter::rotation, "rotation",
+     [](From clip, Given given) {
+       given.rotation = readFreedoms(clip, "rotation", quantity::torsion_spring);
+     }},
+    {ClipParameter::slides, "slides",
+     [](From clip, Given given) { given.slides = clip.flag("slides", false); }},
+}};
+static_assert(hasRowOfEach(kParameters, &ParameterForm::parameter), "a parameter has no row");
+
+const ParameterForm& formOf(ClipParameter parameter) {
+  return kParameters[static_cast<std::size_t>(parameter)];
 }
 
-const ClipType* readType(const YamlCursor& clip) {
+const ClipPresetTraits* readPreset(const YamlCursor& clip) {
   Keys names;
-  for (const ClipType& type : clipTypes()) names.push_back(type.name);
+  for (const ClipPresetTraits& traits : clipPresets()) names.emplace_back(traits.name);
   const auto value = clip.require("type");
   if (!value) return nullptr;
   const std::size_t before = clip.faults().count();
   const std::size_t index = value->choice(names);
-  return clip.faults().count() > before ? nullptr : &clipTypes()[index];
+  return clip.faults().count() > before ? nullptr : &clipPresets()[index];
+}
+
+// The keys of a preset beyond those of all clips.
+Keys keysOf(const ClipPresetTraits& traits) {
+  Keys keys = traits.mounted ? Keys{"component", "pose"} : Keys{"force", "moment"};
+  for (const auto& parameter : traits.parameters) {
+    if (parameter) keys.emplace_back(formOf(*parameter).key);
+  }
+  return keys;
+}
+
+ClipConstraint readConstraint(const YamlCursor& clip, const ClipPresetTraits& traits) {
+  ClipParameters given;
+  for (const auto& parameter : traits.parameters) {
+    if (parameter) formOf(*parameter).read(clip, given);
+  }
+  return traits.constraint(given);
 }
 
 void readMount(const YamlCursor& clip, ClipMount& mount, const ReadContext& context) {
@@ -125,16 +134,17 @@ void readClip(const YamlCursor& item, Clip& clip, ClipMount& mount, ReadContext&
     item.checkKeys(keys);
     return;
   }
-  const ClipType* type = readType(item);
-  if (type) {
-    keys.insert(keys.end(), type->keys.begin(), type->keys.end());
+  const ClipPresetTraits* preset = readPreset(item);
+  if (preset) {
+    const Keys more = keysOf(*preset);
+    keys.insert(keys.end(), more.begin(), more.end());
     item.checkKeys(keys);
-    clip.type = type->name;
-    clip.constraint = type->read(item);
+    clip.type = preset->name;
+    clip.constraint = readConstraint(item, *preset);
   }
   readPlace(item, context, clip.cable, clip.arc_length);
-  if (!type) return;
-  if (clip.type != "free") {
+  if (!preset) return;
+  if (preset->mounted) {
     readMount(item, mount, context);
   } else if (item.has("force") || item.has("moment")) {
     PointLoad load;

@@ -2,6 +2,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include <cable_variation/harness/clip_preset.h>
 #include <cable_variation/scene/cable_property.h>
 #include <cable_variation/scene/design_target.h>
 #include <cable_variation/scene_file/distribution_reader.h>
@@ -56,7 +57,7 @@ Target readClipTarget(const YamlCursor& item, ReadContext& context) {
       const Clip& varied = context.scene.harness.clips[clip];
       result.nominal = varied.arc_length;
       if (varied.constraint.slides) property->fail("the clip slides; its arc length is not a design's");
-      if (varied.type == "free") property->fail("a free clip holds nothing; it has no arc length to vary");
+      if (!isMounted(varied)) property->fail("a free clip holds nothing; it has no arc length to vary");
     }
   } else {
     const auto axis = static_cast<Axis>((translate ? translate : rotate)->choice({"x", "y", "z"}));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include <cable_variation/harness/clip_preset.h>
 #include <cable_variation/scene_file/slip_checks.h>
 
 namespace cable_variation {
@@ -25,7 +26,7 @@ const Cable* bridgingCable(const Motion& motion, const Scene& scene) {
   std::set<std::size_t> moved, kept;
   for (std::size_t i = 0; i < scene.clip_mounts.size(); ++i) {
     const Clip& clip = scene.harness.clips[i];
-    if (clip.type == "free") continue;
+    if (!isMounted(clip)) continue;
     (rides(scene, scene.clip_mounts[i].component, motion.component) ? moved : kept).insert(clip.cable);
   }
   const Cable* shortest = nullptr;

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include <cable_variation/harness/clip_preset.h>
 #include <cable_variation/scene/harness_slips.h>
 
 namespace cable_variation {
@@ -76,7 +77,7 @@ void checkPlace(const YamlCursor& item, const Component& component, const Scene&
   const AlignedBox3d box = boxOf(component, componentPose(scene, component.name));
   double nearest = std::numeric_limits<double>::infinity();
   for (const Clip& clip : scene.harness.clips) {
-    if (clip.type != "free") nearest = std::min(nearest, box.exteriorDistance(clip.pose.position));
+    if (isMounted(clip)) nearest = std::min(nearest, box.exteriorDistance(clip.pose.position));
   }
   if (std::isfinite(nearest) && nearest > kFarAway && nearest > kFarAway * longestCable(scene)) {
     pose->warn("it is " + shortNumber(nearest) + " m away from all clips; in mm?");

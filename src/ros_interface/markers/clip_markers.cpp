@@ -1,11 +1,11 @@
 #include <ros_interface/markers/clip_markers.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <functional>
-#include <map>
 
 #include <cable_variation/geometry/tube_distance/tube.h>
+#include <cable_variation/harness/clip_preset.h>
 #include <ros_interface/markers/marker_shapes.h>
 #include <ros_interface/node/names.h>
 
@@ -13,6 +13,8 @@ namespace cable_variation_ros {
 
 using cable_variation::Clip;
 using cable_variation::ClipFreedom;
+using cable_variation::ClipPreset;
+using cable_variation::enumeratorCount;
 using cable_variation::Harness;
 using cable_variation::Pose;
 using cable_variation::TriangleMesh;
@@ -56,8 +58,9 @@ Eigen::Vector3d axisOf(const std::array<ClipFreedom, 3>& freedoms, ClipFreedom::
 }
 
 struct ClipLook {
-  Eigen::Vector4d color;
-  std::function<void(const Drawing&)> draw;
+  ClipPreset preset;
+  std::array<double, 4> color;  // red, green, blue, alpha
+  void (*draw)(const Drawing&);
 };
 
 const Eigen::Vector3d kX = Eigen::Vector3d::UnitX();
@@ -122,24 +125,21 @@ void drawFree(const Drawing& d) {
 
 void drawGeneral(const Drawing& d) { d.box(Eigen::Vector3d::Zero(), {2.4, 2.6, 2.6}); }
 
-const ClipLook& lookOf(const std::string& type) {
-  static const std::map<std::string, ClipLook> looks = {
-      {"fixed", {{0.20, 0.36, 0.62, 1.0}, drawFixed}},
-      {"rolling", {{0.10, 0.58, 0.58, 1.0}, drawRolling}},
-      {"pivot", {{0.52, 0.32, 0.75, 1.0}, drawPivot}},
-      {"hinge", {{0.36, 0.34, 0.80, 1.0}, drawHinge}},
-      {"sliding", {{0.16, 0.55, 0.24, 1.0}, drawSliding}},
-      {"sliding_rolling", {{0.42, 0.66, 0.16, 1.0}, drawSlidingRolling}},
-      {"eyelet", {{0.86, 0.78, 0.30, 1.0}, drawEyelet}},
-      {"guide", {{0.12, 0.52, 0.72, 1.0}, drawGuide}},
-      {"plane", {{0.62, 0.72, 0.82, 1.0}, drawPlane}},
-      {"grommet", {{0.13, 0.13, 0.14, 1.0}, drawGrommet}},
-      {"free", {{0.92, 0.92, 0.94, 1.0}, drawFree}},
-      {"general", {{0.45, 0.48, 0.54, 1.0}, drawGeneral}},
-  };
-  const auto found = looks.find(type);
-  return found != looks.end() ? found->second : looks.at("general");
-}
+constexpr std::array<ClipLook, enumeratorCount<ClipPreset>()> kLooks{{
+    {ClipPreset::fixed, {0.20, 0.36, 0.62, 1.0}, drawFixed},
+    {ClipPreset::rolling, {0.10, 0.58, 0.58, 1.0}, drawRolling},
+    {ClipPreset::pivot, {0.52, 0.32, 0.75, 1.0}, drawPivot},
+    {ClipPreset::hinge, {0.36, 0.34, 0.80, 1.0}, drawHinge},
+    {ClipPreset::sliding, {0.16, 0.55, 0.24, 1.0}, drawSliding},
+    {ClipPreset::sliding_rolling, {0.42, 0.66, 0.16, 1.0}, drawSlidingRolling},
+    {ClipPreset::eyelet, {0.86, 0.78, 0.30, 1.0}, drawEyelet},
+    {ClipPreset::guide, {0.12, 0.52, 0.72, 1.0}, drawGuide},
+    {ClipPreset::plane, {0.62, 0.72, 0.82, 1.0}, drawPlane},
+    {ClipPreset::grommet, {0.13, 0.13, 0.14, 1.0}, drawGrommet},
+    {ClipPreset::general, {0.45, 0.48, 0.54, 1.0}, drawGeneral},
+    {ClipPreset::free, {0.92, 0.92, 0.94, 1.0}, drawFree},
+}};
+static_assert(hasRowOfEach(kLooks, &ClipLook::preset), "a preset is not drawn, or is out of order");
 
 constexpr double kTextHeight = 0.009;      // [m]; readable where a whole cable fills the view
 constexpr double kSmallestRadius = 0.002;  // a clip is drawn as for a cable this thick at least [m]
@@ -151,14 +151,14 @@ visualization_msgs::MarkerArray clipMarkers(const cable_variation::Equilibrium& 
   visualization_msgs::MarkerArray array;
   for (std::size_t i = 0; i < harness.clips.size(); ++i) {
     Clip clip = harness.clips[i];
-    if (clip.type == "free") {
+    if (!isMounted(clip)) {
       if (!equilibrium.converged()) continue;
       clip.pose = equilibrium.clip_reactions[i].section;
     }
     const double cable_radius = sectionAt(harness.cables[clip.cable], clip.arc_length).radius;
     const double radius = std::max(cable_radius, kSmallestRadius);
-    const ClipLook& look = lookOf(clip.type);
-    MarkerGroup group(kClipMarkers + clip.name, kWorldFrame, look.color);
+    const ClipLook& look = kLooks[static_cast<std::size_t>(presetOf(clip))];
+    MarkerGroup group(kClipMarkers + clip.name, kWorldFrame, Eigen::Vector4d(look.color.data()));
     look.draw({group, clip, radius});
     group.setColor({0.96, 0.97, 0.98, 1.0});
     group.addText(clip.pose.position + (3.2 * radius + kTextHeight) * kZ, clip.name, kTextHeight);
