@@ -6,16 +6,13 @@
 #include <stdexcept>
 
 #include <cable_variation/geometry/tube_distance/part_vicinity.h>
-#include <cable_variation/measures/measure_clip.h>
-#include <cable_variation/measures/measure_distance.h>
-#include <cable_variation/measures/measure_shape.h>
-#include <cable_variation/measures/measure_similarity.h>
-#include <cable_variation/measures/measure_strength.h>
+#include <cable_variation/measures/measure_functions.h>
+#include <cable_variation/scene/measure_traits.h>
 
 namespace cable_variation {
 namespace {
 
-using Type = Measure::Type;
+bool measuresToPart(const Measure& measure) { return traitsOf(measure.type).clearance && measure.component; }
 
 }  // namespace
 
@@ -29,7 +26,7 @@ struct MeasureEvaluator::Impl {
     for (std::size_t i = 0; i < solved.equilibrium.shapes.size(); ++i)
       nominal.push_back(centrelineOf(solved.harness.cables[i], solved.equilibrium.shapes[i]));
     for (const Measure& measure : scene.measures) {
-      if (measure.type != Type::distance || !measure.component) continue;
+      if (!measuresToPart(measure)) continue;
       try {
         parts.prepare(scene, *measure.component, known);
       } catch (const std::invalid_argument& error) {
@@ -48,81 +45,14 @@ struct MeasureEvaluator::Impl {
 
   MeasureValue value(const MeasureContext& context, std::size_t index, const MeasureValue* near) const {
     const Measure& measure = this->measure(index);
-    const Equilibrium& equilibrium = context.at.equilibrium;
-    MeasureValue figure;  // of the whole harness
-    switch (measure.type) {
-      case Type::distance:
-        if (!measure.component) return cableDistanceValue(context, measure);
-        return componentDistanceValue(context, measure, *parts.find(*measure.component), near,
-                                      vicinitiesOf(index));
-      case Type::similarity:
-        return similarityValue(context, measure, nominal);
-      case Type::position:
-        return positionValue(context, measure);
-      case Type::bend_radius:
-        return bendRadiusValue(context, measure);
-      case Type::strain:
-      case Type::stress:
-        return strengthValue(context, measure);
-      case Type::section_force:
-      case Type::section_moment:
-        return sectionLoadValue(context, measure);
-      case Type::twist:
-        return twistValue(context, measure);
-      case Type::clip_force:
-      case Type::clip_moment:
-        return clipLoadValue(context, measure);
-      case Type::slide:
-        return slideValue(context, measure);
-      case Type::energy:
-        figure.value = equilibrium.energy.elastic;
-        break;
-      case Type::eigenvalue:
-        figure.value = equilibrium.smallest_eigenvalue;
-        break;
-    }
-    return figure;
+    const DistancePart* part = measuresToPart(measure) ? parts.find(*measure.component) : nullptr;
+    return functionsOf(measure.type).value(context, measure, {nominal, part, near, vicinitiesOf(index)});
   }
 
   const std::vector<PartVicinity>& vicinitiesOf(std::size_t index) const {
     static const std::vector<PartVicinity> none;
     const auto found = vicinities.find(index);
     return found == vicinities.end() ? none : found->second;
-  }
-
-  static RateOfMeasure rate(const MeasureContext& context, const Measure& measure,
-                            const MeasureValue& value) {
-    using Rates = const MeasureRates&;
-    switch (measure.type) {
-      case Type::distance:
-        if (measure.component)
-          return [&](Rates rates) { return componentDistanceRate(context, measure, value, rates); };
-        return [&](Rates rates) { return cableDistanceRate(context, measure, value, rates); };
-      case Type::similarity:
-        return similarityRate(context, measure, value);
-      case Type::position:
-        return [&](Rates rates) { return positionRate(context, measure, value, rates); };
-      case Type::bend_radius:
-        return [&](Rates rates) { return bendRadiusRate(context, value, rates); };
-      case Type::strain:
-      case Type::stress:
-        return strengthRate(context, measure, value);
-      case Type::section_force:
-      case Type::section_moment:
-        return sectionLoadRate(context, measure, value);
-      case Type::twist:
-        return twistRate(context, measure);
-      case Type::clip_force:
-      case Type::clip_moment:
-        return [&](Rates rates) { return clipLoadRate(context, measure, rates); };
-      case Type::slide:
-        return [&](Rates rates) { return slideRate(measure, rates); };
-      case Type::energy:
-        return [](Rates rates) { return rates.equilibrium.elastic_energy; };
-      case Type::eigenvalue:
-        break;
-    }
-    return [](Rates) { return 0.0; };
   }
 };
 
@@ -142,7 +72,7 @@ void MeasureEvaluator::expectNear(const SolvedScene& nominal, const std::vector<
                                   const std::vector<MeasureValue>& values, double departure) {
   for (std::size_t i = 0; i < measures.size(); ++i) {
     const Measure& measure = impl_->measure(measures[i]);
-    if (measure.type != Type::distance || !measure.component || !std::isfinite(values[i].value)) continue;
+    if (!measuresToPart(measure) || !std::isfinite(values[i].value)) continue;
     // a shape that has gone this far may be that much closer, and then see what is as far again
     const double reach = std::max(values[i].value, 0.0) + 2.0 * departure;
     std::vector<PartVicinity>& vicinities = impl_->vicinities[measures[i]];
@@ -183,7 +113,8 @@ Eigen::MatrixXd MeasureEvaluator::jacobian(const SolvedScene& at, const std::vec
   Eigen::MatrixXd jacobian(static_cast<Eigen::Index>(measures.size()),
                            static_cast<Eigen::Index>(design.size()));
   for (std::size_t i = 0; i < measures.size(); ++i) {
-    const RateOfMeasure rate = Impl::rate(context, impl_->measure(measures[i]), values[i]);
+    const Measure& measure = impl_->measure(measures[i]);
+    const RateOfMeasure rate = functionsOf(measure.type).rate(context, measure, values[i]);
     for (std::size_t j = 0; j < design.size(); ++j) {
       jacobian(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = rate({design[j], rates[j]});
     }

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include <cable_variation/geometry/mesh/solids.h>
+#include <cable_variation/scene/measure_traits.h>
 
 namespace cable_variation {
 
@@ -49,8 +50,7 @@ std::vector<std::size_t> componentsMeasured(const Scene& scene, const std::vecto
   std::vector<std::size_t> components;
   for (const std::size_t index : measures) {
     const Measure& measure = scene.measures.at(index);
-    if (measure.type == Measure::Type::distance && measure.component)
-      components.push_back(*measure.component);
+    if (traitsOf(measure.type).clearance && measure.component) components.push_back(*measure.component);
   }
   std::sort(components.begin(), components.end());
   components.erase(std::unique(components.begin(), components.end()), components.end());

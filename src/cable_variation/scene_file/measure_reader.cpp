@@ -1,6 +1,9 @@
 #include <algorithm>
+#include <array>
 #include <limits>
 
+#include <cable_variation/harness/clip_preset.h>
+#include <cable_variation/scene/measure_traits.h>
 #include <cable_variation/scene_file/pose_reader.h>
 #include <cable_variation/scene_file/read_context.h>
 
@@ -189,8 +192,8 @@ void readClipOf(const YamlCursor& item, Measure& measure, const ReadContext& con
   if (clip == NameTable::npos) return;
   measure.clip = clip;
   const Clip& held = context.scene.harness.clips[clip];
-  if (held.type == "free") item.find("clip")->fail("a free clip holds nothing");
-  if (must_slide && held.type != "free" && !held.constraint.slides) {
+  if (!isMounted(held)) item.find("clip")->fail("a free clip holds nothing");
+  if (must_slide && isMounted(held) && !held.constraint.slides) {
     item.find("clip")->fail("the cable does not slide through it");
   }
 }
@@ -206,47 +209,33 @@ void readSlide(const YamlCursor& item, Measure& measure, const ReadContext& cont
 
 void readNothing(const YamlCursor&, Measure&, const ReadContext&) {}
 
-// A measure's type: its name, what it is measured in, the keys it takes and how they are read.
-struct MeasureType {
+// How a measure's type is written: the keys it takes beyond those of all, and how they are read.
+struct MeasureForm {
   Measure::Type type;
-  std::string name;
-  const Quantity* quantity;
-  Keys keys;
+  std::array<const char*, 6> keys;  // as many as are not null
   void (*read)(const YamlCursor&, Measure&, const ReadContext&);
 };
 
-const std::vector<MeasureType>& measureTypes() {
-  using Type = Measure::Type;
-  static const std::vector<MeasureType> types{
-      {Type::distance,
-       "distance",
-       &quantity::length,
-       {"cable", "cables", "component", "to_cables", "skip_near_clips", "skip_near_joints"},
-       readDistance},
-      {Type::similarity, "similarity", &quantity::length, {"cable", "cables", "surface"}, readSimilarity},
-      {Type::position, "position", &quantity::length, {"cable", "at", "direction"}, readPosition},
-      {Type::bend_radius, "bend_radius", &quantity::length, {"cable", "cables"}, readCables},
-      {Type::strain, "strain", &quantity::number, {"cable", "cables"}, readCables},
-      {Type::stress, "stress", &quantity::stress, {"cable", "cables"}, readStress},
-      {Type::section_force,
-       "section_force",
-       &quantity::force,
-       {"cable", "cables", "at", "axis"},
-       readSectionLoad},
-      {Type::section_moment,
-       "section_moment",
-       &quantity::moment,
-       {"cable", "cables", "at", "axis"},
-       readSectionLoad},
-      {Type::twist, "twist", &quantity::angle, {"cable", "from", "to"}, readTwist},
-      {Type::clip_force, "clip_force", &quantity::force, {"clip", "axis"}, readClipLoad},
-      {Type::clip_moment, "clip_moment", &quantity::moment, {"clip", "axis"}, readClipLoad},
-      {Type::slide, "slide", &quantity::length, {"clip"}, readSlide},
-      {Type::energy, "energy", &quantity::energy, {}, readNothing},
-      {Type::eigenvalue, "eigenvalue", &quantity::spring, {}, readNothing},
-  };
-  return types;
-}
+using Type = Measure::Type;
+constexpr std::array<MeasureForm, enumeratorCount<Type>()> kForms{{
+    {Type::distance,
+     {"cable", "cables", "component", "to_cables", "skip_near_clips", "skip_near_joints"},
+     readDistance},
+    {Type::similarity, {"cable", "cables", "surface"}, readSimilarity},
+    {Type::position, {"cable", "at", "direction"}, readPosition},
+    {Type::bend_radius, {"cable", "cables"}, readCables},
+    {Type::strain, {"cable", "cables"}, readCables},
+    {Type::stress, {"cable", "cables"}, readStress},
+    {Type::section_force, {"cable", "cables", "at", "axis"}, readSectionLoad},
+    {Type::section_moment, {"cable", "cables", "at", "axis"}, readSectionLoad},
+    {Type::twist, {"cable", "from", "to"}, readTwist},
+    {Type::clip_force, {"clip", "axis"}, readClipLoad},
+    {Type::clip_moment, {"clip", "axis"}, readClipLoad},
+    {Type::slide, {"clip"}, readSlide},
+    {Type::energy, {}, readNothing},
+    {Type::eigenvalue, {}, readNothing},
+}};
+static_assert(hasRowOfEach(kForms, &MeasureForm::type), "a type of measure has no row, or is out of order");
 
 void readLimits(const YamlCursor& item, const Quantity& quantity, Measure& measure) {
   if (const auto lower = item.find("lower")) measure.lower = lower->number(quantity);
@@ -263,33 +252,30 @@ void readMeasure(const YamlCursor& item, Measure& measure, ReadContext& context)
     return;
   }
   Keys names;
-  for (const MeasureType& type : measureTypes()) names.push_back(type.name);
+  for (const MeasureTraits& traits : measureTraits()) names.emplace_back(traits.name);
   const auto value = item.require("type");
   if (!value) return;
   const std::size_t before = context.faults.count();
-  const MeasureType& type = measureTypes()[value->choice(names)];
+  const std::size_t type = value->choice(names);
   if (context.faults.count() > before) return;
   Keys keys{"name", "type", "lower", "upper"};
-  keys.insert(keys.end(), type.keys.begin(), type.keys.end());
+  const MeasureForm& form = kForms[type];
+  for (const char* key : form.keys) {
+    if (key != nullptr) keys.emplace_back(key);
+  }
   item.checkKeys(keys);
-  measure.type = type.type;
-  measure.unit = *type.quantity->unit ? type.quantity->unit : "1";
+  measure.type = form.type;
+  const Quantity& quantity = *traitsOf(form.type).quantity;
+  measure.unit = *quantity.unit ? quantity.unit : "1";
   if (context.cables.size() == 0) {
     item.fail("the scene has no cables to measure");
     return;
   }
-  type.read(item, measure, context);
-  readLimits(item, *type.quantity, measure);
+  form.read(item, measure, context);
+  readLimits(item, quantity, measure);
 }
 
 }  // namespace
-
-const char* toString(Measure::Type type) {
-  for (const MeasureType& known : measureTypes()) {
-    if (known.type == type) return known.name.c_str();
-  }
-  return "";
-}
 
 void readMeasures(const YamlCursor& list, ReadContext& context) {
   readEach(list, context.measures, context.scene.measures,

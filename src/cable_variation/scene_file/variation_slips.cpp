@@ -2,6 +2,7 @@
 #include <cmath>
 #include <variant>
 
+#include <cable_variation/scene/measure_traits.h>
 #include <cable_variation/scene_file/slip_checks.h>
 
 namespace cable_variation {
@@ -100,33 +101,23 @@ void checkBareLength(const YamlCursor& number, double longest) {
 void checkLimit(const YamlCursor& number, const Measure& measure, double longest) {
   constexpr double kLeastStress = 1e3;  // [Pa] that anybody would limit
   if (!number.isBareNumber()) return;
-  switch (measure.type) {
-    case Measure::Type::distance:
-    case Measure::Type::similarity:
-    case Measure::Type::bend_radius:
-    case Measure::Type::slide:
-      break;  // lengths, below
-    case Measure::Type::strain:
+  switch (traitsOf(measure.type).unlikely) {
+    case MeasureTraits::UnlikelyLimit::none:
+      return;
+    case MeasureTraits::UnlikelyLimit::longer_than_cables:
+      checkBareLength(number, longest);
+      return;
+    case MeasureTraits::UnlikelyLimit::from_one:
       if (const double value = number.number(quantity::number); value >= 1.0) {
         number.warn(number.found() + ", which is " + shortNumber(100.0 * value) + " %; in %?");
       }
       return;
-    case Measure::Type::stress:
+    case MeasureTraits::UnlikelyLimit::below_a_kilopascal:
       if (const double value = number.number(quantity::stress); value > 0.0 && value < kLeastStress) {
         number.warn(number.found() + " without a unit, which is " + shortNumber(value) + " Pa; in MPa?");
       }
       return;
-    case Measure::Type::position:
-    case Measure::Type::section_force:
-    case Measure::Type::section_moment:
-    case Measure::Type::twist:
-    case Measure::Type::clip_force:
-    case Measure::Type::clip_moment:
-    case Measure::Type::energy:
-    case Measure::Type::eigenvalue:
-      return;
   }
-  checkBareLength(number, longest);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <cable_variation/util/seconds_since.h>
 #include <cable_variation/util/chosen_indices.h>
 #include <cable_variation/measures/open_parts.h>
+#include <cable_variation/scene/measure_traits.h>
 #include <cable_variation/tolerances/tolerances.h>
 
 namespace cable_variation {
@@ -59,14 +60,15 @@ class Analysis {
     result_.jacobian = evaluator.jacobian(nominal, result_.measures, result_.values, design, result_.rates);
     std::vector<double> eigenvalue_rates;
     for (std::size_t row = 0; row < result_.measures.size(); ++row) {
-      result_.one_sided.push_back(measure(row).type == Measure::Type::similarity);
+      const MeasureTraits& traits = traitsOf(measure(row).type);
+      result_.one_sided.push_back(traits.from_nominal);
       if (result_.values[row].undecided) warn(measure(row).name, ": ", result_.values[row].note);
       if (!result_.values[row].unique) {
         warn(measure(row).name, ": ",
              result_.values[row].note.empty() ? "another place has the same value" : result_.values[row].note,
              "; its derivatives are those of the place named");
       }
-      if (measure(row).type != Measure::Type::eigenvalue) continue;
+      if (!traits.eigenvalue) continue;
       if (eigenvalue_rates.empty()) eigenvalue_rates = solver_.eigenvalueRates(harness_rates);
       for (std::size_t column = 0; column < eigenvalue_rates.size(); ++column) {
         result_.jacobian(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) =

@@ -9,6 +9,7 @@
 #include <cable_variation/statistics/arc_variation.h>
 #include <cable_variation/tolerances/distribution.h>
 #include <cable_variation/measures/measure_context.h>
+#include <cable_variation/scene/measure_traits.h>
 #include <cable_variation/tolerances/tolerances.h>
 
 namespace cable_variation {
@@ -61,9 +62,8 @@ EquilibriumSolver solverOf(const Harness& harness, EquilibriumSolver solver, dou
 }
 
 bool anyEigenvalue(const Scene& scene, const std::vector<std::size_t>& measures) {
-  return std::any_of(measures.begin(), measures.end(), [&](std::size_t index) {
-    return scene.measures[index].type == Measure::Type::eigenvalue;
-  });
+  return std::any_of(measures.begin(), measures.end(),
+                     [&](std::size_t index) { return traitsOf(scene.measures[index].type).eigenvalue; });
 }
 
 }  // namespace

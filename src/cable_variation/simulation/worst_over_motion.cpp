@@ -7,6 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include <cable_variation/scene/measure_traits.h>
 #include <cable_variation/tracking/motion_phases.h>
 
 namespace cable_variation {
@@ -71,7 +72,7 @@ class Search {
       for (std::size_t i = 0; i < near.size(); ++i) {
         const auto row = static_cast<Eigen::Index>(i);
         model.values[row] = near[i].value;
-        if (measures_[i]->type != Measure::Type::eigenvalue) continue;
+        if (!traitsOf(measures_[i]->type).eigenvalue) continue;
         const std::vector<double> of = solver.eigenvalueRates(harness_rates);
         model.jacobian.row(row) = Eigen::Map<const Eigen::RowVectorXd>(of.data(), model.jacobian.cols());
       }
@@ -183,7 +184,7 @@ class Search {
     for (Eigen::Index i = 0; i < bad.rows(); ++i) {
       const Measure& measure = *measures_[static_cast<std::size_t>(i)];
       // to the design at the same time, and growing whichever way a variable goes
-      if (measure.type == Measure::Type::similarity)
+      if (traitsOf(measure.type).from_nominal)
         bad.row(i) = model.jacobian.row(i).head(variables).cwiseAbs() * trials_.cwiseAbs();
       for (Eigen::Index j = 0; j < bad.cols(); ++j) {
         const double known = badness(measure, nominal_[i], bad(i, j));
@@ -226,16 +227,15 @@ double badness(const Measure& measure, double nominal, double value) {
     if (measure.upper) beyond = std::max(beyond, value - *measure.upper);
     return beyond;
   }
-  switch (measure.type) {
-    case Measure::Type::distance:
-    case Measure::Type::bend_radius:
-    case Measure::Type::eigenvalue:
+  switch (traitsOf(measure.type).worse) {
+    case MeasureTraits::Worse::smaller:
       return -value;
-    case Measure::Type::position:
+    case MeasureTraits::Worse::further_from_nominal:
       return std::abs(value - nominal);
-    default:
-      return std::abs(value);
+    case MeasureTraits::Worse::larger:
+      break;
   }
+  return std::abs(value);
 }
 
 bool isWorse(const Measure& measure, double nominal, double value, double than) {

@@ -10,7 +10,7 @@
 namespace cable_variation {
 
 /// How bad a measure's value is; larger is worse: by how much it is beyond its nearest limit; without limits
-/// a small distance, bend radius or eigenvalue, a position far from `nominal`, a large magnitude of all else.
+/// by MeasureTraits::Worse: a small distance, a position far from `nominal`, a large magnitude.
 double badness(const Measure& measure, double nominal, double value);
 
 /// Whether `value` is worse than `than`; anything is worse than what is not a number, that is never worse.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include <cable_variation/scene/design_rate.h>
+#include <cable_variation/scene/measure_traits.h>
 #include <ros_interface/request/request_status.h>
 
 namespace cable_variation_ros {
@@ -15,7 +16,6 @@ using cable_variation::Equilibrium;
 using cable_variation::EquilibriumOptions;
 using cable_variation::EquilibriumSolver;
 using cable_variation::Harness;
-using cable_variation::Measure;
 using cable_variation::MeasureEvaluator;
 using cable_variation::MeasureValue;
 using cable_variation::Scene;
@@ -133,7 +133,7 @@ std::vector<MeasureValue> SolverContext::measure(const SolvedScene& at,
   }
   std::vector<MeasureValue> values = preparedEvaluator(at).with(design_.scene, at).evaluate(at, measures);
   for (std::size_t i = 0; i < measures.size(); ++i) {
-    if (design_.scene.measures[measures[i]].type != Measure::Type::similarity) continue;
+    if (!traitsOf(design_.scene.measures[measures[i]].type).from_nominal) continue;
     values[i] = MeasureValue();
     values[i].value = std::numeric_limits<double>::quiet_NaN();
     values[i].note = "the design in force has no equilibrium to compare with";

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <cable_variation/scene/measure_traits.h>
 #include <ros_interface/conversion/matrix_conversion.h>
 #include <ros_interface/conversion/message_conversion.h>
 
@@ -21,7 +22,7 @@ bool contains(const std::vector<std::size_t>& all, std::size_t each) {
 }
 
 bool isOf(const Measure& measure, const EnvelopeClearance& clearance, const Scene& scene) {
-  if (measure.type != Measure::Type::distance) return false;
+  if (!traitsOf(measure.type).clearance) return false;
   if (!clearance.other) {
     return measure.component && scene.components[*measure.component].name == clearance.component &&
            contains(measure.cables, clearance.cable);

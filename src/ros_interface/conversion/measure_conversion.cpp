@@ -1,5 +1,6 @@
 #include <ros_interface/conversion/measure_conversion.h>
 
+#include <cable_variation/scene/measure_traits.h>
 #include <ros_interface/conversion/enum_names.h>
 #include <ros_interface/conversion/message_conversion.h>
 
@@ -8,6 +9,7 @@ namespace cable_variation_ros {
 using cable_variation::Measure;
 using cable_variation::MeasureInfo;
 using cable_variation::MeasureResult;
+using cable_variation::MeasureTraits;
 using cable_variation::MeasureValue;
 using cable_variation::Scene;
 
@@ -33,11 +35,6 @@ Message described(const Measure& measure) {
   return message;
 }
 
-bool concernsAClip(Measure::Type type) {
-  return type == Measure::Type::clip_force || type == Measure::Type::clip_moment ||
-         type == Measure::Type::slide;
-}
-
 }  // namespace
 
 MeasureInfo toInfo(const Measure& measure, const Scene& scene) {
@@ -54,7 +51,8 @@ MeasureInfo toInfo(const Measure& measure, const Scene& scene) {
   if (measure.axis) info.axis = nameOf(*measure.axis);
   info.twist_start = measure.from;
   info.twist_end = measure.to;
-  if (concernsAClip(measure.type)) info.clip = scene.harness.clips[measure.clip].name;
+  if (traitsOf(measure.type).subject == MeasureTraits::Subject::clip)
+    info.clip = scene.harness.clips[measure.clip].name;
   return info;
 }
 

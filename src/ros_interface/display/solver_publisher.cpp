@@ -2,6 +2,7 @@
 
 #include <ros/node_handle.h>
 
+#include <cable_variation/scene/measure_traits.h>
 #include <ros_interface/markers/cable_markers.h>
 #include <ros_interface/markers/clip_markers.h>
 #include <ros_interface/conversion/component_deviations.h>
@@ -13,7 +14,6 @@
 namespace cable_variation_ros {
 
 using cable_variation::ComponentDeviations;
-using cable_variation::Measure;
 
 namespace {
 
@@ -22,7 +22,7 @@ std::vector<DistanceMark> distancesOf(const SolverContext& context) {
   const cable_variation::Scene& scene = context.design().scene;
   std::vector<std::size_t> distances;
   for (std::size_t i = 0; i < scene.measures.size(); ++i) {
-    if (scene.measures[i].type == Measure::Type::distance) distances.push_back(i);
+    if (traitsOf(scene.measures[i].type).clearance) distances.push_back(i);
   }
   if (distances.empty()) return {};
   return distanceMarks(scene, distances, context.measure(distances));

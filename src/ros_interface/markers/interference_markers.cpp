@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include <cable_variation/scene/measure_traits.h>
 #include <ros_interface/markers/label_placing.h>
 #include <ros_interface/markers/marker_colours.h>
 #include <ros_interface/markers/marker_shapes.h>
@@ -45,7 +46,7 @@ std::vector<DistanceMark> distanceMarks(const cable_variation::Scene& scene,
   for (std::size_t i = 0; i < measures.size(); ++i) {
     const Measure& measure = scene.measures[measures[i]];
     const MeasureValue& value = values[i];
-    if (measure.type != Measure::Type::distance || !value.has_place || !value.has_other) continue;
+    if (!traitsOf(measure.type).clearance || !value.has_place || !value.has_other) continue;
     DistanceMark mark;
     mark.marker_namespace = kInterferenceMarkers + measure.name;
     mark.point = value.point;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <cable_variation/scene/measure_traits.h>
+
 namespace cable_variation {
 namespace {
 
@@ -16,7 +18,7 @@ double skippedNearClips(const Scene& scene, const ClearanceOptions& options, std
   if (options.skip_near_clips) return *options.skip_near_clips;
   std::optional<double> smallest;
   for (const Measure& measure : scene.measures) {
-    if (measure.type != Measure::Type::distance || measure.component != component) continue;
+    if (!traitsOf(measure.type).clearance || measure.component != component) continue;
     if (!has(measure.cables, cable)) continue;
     smallest = std::min(smallest.value_or(measure.skip_near_clips), measure.skip_near_clips);
   }
@@ -28,7 +30,7 @@ double skippedNearJoints(const Scene& scene, const ClearanceOptions& options, st
   if (options.skip_near_joints) return *options.skip_near_joints;
   std::optional<double> smallest;
   for (const Measure& measure : scene.measures) {
-    if (measure.type != Measure::Type::distance || measure.component) continue;
+    if (!traitsOf(measure.type).clearance || measure.component) continue;
     if (!(has(measure.cables, cable) && has(measure.other_cables, other)) &&
         !(has(measure.cables, other) && has(measure.other_cables, cable))) {
       continue;
