@@ -75,7 +75,7 @@ class Reader {
     } else if (keyword == "v") {
       if (!in_piece_) fail("a vertex before the first object");
       Eigen::Vector3d vertex;
-      for (double& coordinate : vertex) coordinate = number(word(words, "a coordinate"), "coordinate");
+      for (int k = 0; k < 3; ++k) vertex[k] = number(word(words, "a coordinate"), "coordinate");
       vertices_.push_back(vertex);
     } else if (keyword == "f") {
       takeFacet(words);

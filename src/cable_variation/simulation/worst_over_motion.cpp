@@ -165,7 +165,8 @@ class Search {
   // Standard deviation of those that are finite.
   static double spreadOf(const Eigen::RowVectorXd& values) {
     double count = 0.0, mean = 0.0, squares = 0.0;
-    for (const double value : values) {
+    for (Eigen::Index i = 0; i < values.size(); ++i) {
+      const double value = values[i];
       if (!std::isfinite(value)) continue;
       const double step = value - mean;
       mean += step / ++count;

@@ -15,6 +15,8 @@ inline std::vector<double> rowByRow(const Eigen::MatrixXd& matrix) {
   return values;
 }
 
-inline std::vector<double> listed(const Eigen::VectorXd& vector) { return {vector.begin(), vector.end()}; }
+inline std::vector<double> listed(const Eigen::VectorXd& vector) {
+  return {vector.data(), vector.data() + vector.size()};
+}
 
 }  // namespace cable_variation_ros

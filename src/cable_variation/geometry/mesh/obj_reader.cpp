@@ -41,14 +41,14 @@ class ObjReader {
 
   void vertex() {
     Eigen::Vector3d at;
-    for (double& coordinate : at) {
+    for (int k = 0; k < 3; ++k) {
       const auto found = word();
       const auto number = found ? numberIn(*found) : std::nullopt;
       if (!number) {
         fail((found ? "found " + quoted(*found) : "the line ends") +
              "; expected a coordinate, a finite number");
       }
-      coordinate = *number;
+      at[k] = *number;
     }
     numbers_.push_back(builder_.vertex(at));
   }

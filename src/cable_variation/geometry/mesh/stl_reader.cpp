@@ -83,11 +83,11 @@ class TextReader {
     for (int k = 0; k < 3; ++k) {
       expect("vertex");
       Vector3d at;
-      for (double& coordinate : at) {
+      for (int axis = 0; axis < 3; ++axis) {
         const std::string word = wordBefore("a coordinate");
         const auto number = numberIn(word);
         if (!number) fail("found " + quoted(word) + "; expected a coordinate, a finite number");
-        coordinate = *number;
+        at[axis] = *number;
       }
       corners.push_back(builder_.vertex(at));
     }
