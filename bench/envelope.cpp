@@ -115,8 +115,9 @@ void generate(benchmark::State& state, const Case& of, std::size_t shapes, std::
   state.counters["excess_mm"] = 1e3 * envelope.containment.largest_excess;
   state.counters["branches"] = count(envelope.branches);
   state.counters["protrusion_mm"] = 1e3 * envelope.containment.largest_protrusion;
-  state.counters["excess_mm"] = 1e3 * envelope.motion_excess;
+  state.counters["motion_excess_mm"] = 1e3 * envelope.motion_excess;
   state.counters["inflation_mm"] = 1e3 * envelope.inflation;
+  state.counters["largest_inflation_mm"] = 1e3 * envelope.largest_inflation;
   if (tightness > 0) {
     state.counters["tightness"] = envelope.tightness.ratio();
     state.counters["cm3"] = 1e6 * envelope.tightness.envelope_volume;

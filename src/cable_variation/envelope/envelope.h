@@ -69,7 +69,7 @@ struct Containment {
   double outside_bound = 1;  ///< of the share of such shapes that stick out, with 95 % confidence, one-sided;
                              ///< with a probability those without an equilibrium count as outside
   double largest_excess = 0.0;      ///< that one sticks out by [m]; 0: none does
-  double largest_protrusion = 0.0;  ///< likewise before inflation [m]
+  double largest_protrusion = 0.0;  ///< likewise before the inflation of every piece [m]
   std::size_t failed = 0;           ///< without an equilibrium: not in the envelope
   // of the shape that sticks out most before inflation:
   Eigen::VectorXd deviations;
@@ -104,10 +104,11 @@ struct Envelope {
   std::vector<EnvelopeFrame> frames;    ///< the first: world
   std::vector<Snap> snaps;              ///< one per branch but the first
   std::size_t branches = 1;
-  std::size_t solves = 0;             ///< equilibria, those for containment and tightness left out
-  std::size_t failures = 0;           ///< of them without an equilibrium
-  double inflation = 0.0;             ///< in every piece's radius [m]
-  double motion_excess = 0.0;         ///< the largest of the phases [m]
+  std::size_t solves = 0;          ///< equilibria, those for containment and tightness left out
+  std::size_t failures = 0;        ///< of them without an equilibrium
+  double inflation = 0.0;          ///< in every piece's radius [m]
+  double largest_inflation = 0.0;  ///< in that of a piece of rare shapes, the largest [m]; at least inflation
+  double motion_excess = 0.0;      ///< the largest of the phases [m]
   double discretisation_error = 0.0;  ///< largest estimate among the samples [m]
   Containment containment;
   ProductionDraws draws;  ///< with a probability

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include <cable_variation/envelope/envelope_memory.h>
 #include <cable_variation/envelope/envelope_warning.h>
 
 namespace cable_variation {
@@ -18,7 +19,7 @@ void addPieces(const PhaseSearch& search, std::size_t phase, const PhaseSearch::
                           stretches[i].end,
                           phase,
                           global_branch,
-                          {hull.hull(), search.radius()[i] + envelope.inflation},
+                          {hull.hull(), search.pieceRadius(cluster, i) + envelope.inflation},
                           {}};
       piece.vertex_sample.reserve(hull.tags().size());
       for (const GrowingHull::Tag& tag : hull.tags())
@@ -61,7 +62,7 @@ void warnOfShortcomings(const std::vector<PhaseSearch>& searches, std::size_t la
   for (const PhaseSearch& search : searches) exhausted += search.exhausted() ? 1 : 0;
   if (exhausted > 0) {
     warn(envelope, exhausted, " of ", searches.size(), " phases ended at the largest number of solves, ",
-         largest_solves, ": their hulls may still grow");
+         largest_solves, ", or of shapes that memory is enough for: their hulls may still grow");
   }
   if (envelope.failures > 0) {
     const auto first = std::find_if(searches.begin(), searches.end(),
@@ -106,6 +107,26 @@ void assembleEnvelope(const std::vector<PhaseSearch>& searches, std::size_t larg
       envelope.branches = std::max(envelope.branches, branch + 1);
   }
   warnOfShortcomings(searches, largest_solves, envelope);
+}
+
+void warnOfCoarsening(const std::vector<PhaseSearch>& searches, std::size_t wanted, std::size_t most,
+                      double memory_limit, double tolerance, Envelope& envelope) {
+  if (wanted > most) {
+    warn(envelope, "the motion has ", wanted, " phases; ", searches.size(),
+         " longer ones are taken, for which ", memoryText(memory_limit),
+         " are enough: their bodies span up to ", 1e3 * envelope.motion_excess,
+         " mm beyond the way of a clip");
+  }
+  double coarsest = 0.0;
+  std::size_t coarser = 0;
+  for (const PhaseSearch& search : searches) {
+    coarsest = std::max(coarsest, search.tolerance());
+    coarser += search.tolerance() > tolerance ? 1 : 0;
+  }
+  if (coarser > 0) {
+    warn(envelope, coarser, " of ", searches.size(), " phases leave gains of up to ", 1e3 * coarsest,
+         " mm to the inflation: over a motion ", kSolvesOverMotion, " solves are shared among the phases");
+  }
 }
 
 }  // namespace cable_variation

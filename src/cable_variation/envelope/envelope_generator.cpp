@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <map>
-#include <mutex>
 #include <sstream>
 #include <stdexcept>
 
@@ -13,15 +11,19 @@
 #include <cable_variation/util/seconds_since.h>
 #include <cable_variation/util/thread_limit.h>
 #include <cable_variation/util/chosen_indices.h>
-#include <cable_variation/statistics/confidence.h>
 #include <cable_variation/envelope/envelope_assembly.h>
+#include <cable_variation/envelope/envelope_check.h>
+#include <cable_variation/envelope/design_searches.h>
 #include <cable_variation/envelope/envelope_memory.h>
+#include <cable_variation/envelope/envelope_reporter.h>
 #include <cable_variation/envelope/envelope_tightness.h>
 #include <cable_variation/envelope/envelope_verification.h>
 #include <cable_variation/envelope/envelope_warning.h>
 #include <cable_variation/tracking/motion_phases.h>
 #include <cable_variation/envelope/search/phase_search.h>
 #include <cable_variation/envelope/search/random_place.h>
+#include <cable_variation/envelope/rare_rounding.h>
+#include <cable_variation/envelope/snap_shares.h>
 #include <cable_variation/envelope/statistical_envelope.h>
 
 namespace cable_variation {
@@ -30,8 +32,11 @@ namespace {
 // A facet that would move out by less than this share of the margin is left.
 constexpr double kWorthwhile = 0.4;
 // Rounds of looking at random shapes and taking in those that stick out, and the most of each.
-constexpr int kRounds = 8;
+constexpr int kRounds = 5;
 constexpr std::size_t kLookedAt = 2000;
+// Where shapes are rare, so many more like them in each round, and in the last, which says how far pieces are
+// rounded there. Over a motion they tell of one phase each; each takes as long as a hundred usual ones.
+constexpr std::size_t kLikeRare = 200, kLikeRareLast = 400, kLikeRareInMotion = 50;
 // Of shapes that stick out of the finished envelope so many are taken in at most.
 constexpr std::size_t kMostHeld = 1000;
 // Random shapes that stick out by more than this share of the margin are taken in; in phases that leave more
@@ -41,11 +46,9 @@ constexpr double kTakenIn = 0.5;
 constexpr double kLongestStretch = 2.0;
 // Phases of a motion are as far as so many radii any way, further where they go straight to so many.
 constexpr double kStride = 0.5, kReach = 3.0, kBow = 0.05;
-// Times of a phase that the design is followed through from one phase to the next.
-constexpr std::size_t kFollowedTimes = 4;
 // Solves of all phases together, and of each at most and at least, after which, again and again, half as much
 // is asked for: small gains come without end near snaps, and over long ways.
-constexpr std::size_t kPatience = 20000, kMostPatience = 150, kLeastPatience = 24;
+constexpr std::size_t kPatience = kSolvesOverMotion, kMostPatience = 150, kLeastPatience = 24;
 // Of more phases than this each forgets the derivatives of its shapes when it is done, and of fewer if they
 // take too much memory.
 constexpr std::size_t kFewPhases = 64;
@@ -57,36 +60,11 @@ constexpr double kFirstSearch = 0.6;
 // Tell the random numbers of all kinds of shapes apart, and from those of a PointSet.
 constexpr std::uint32_t kContainmentStream = 3, kTightnessStream = 4;
 
-void requirePositive(const char* name, double value, const char* unit) {
-  if (value > 0.0 && std::isfinite(value)) return;
-  std::ostringstream text;
-  text << name << ": " << value << unit << "; expected above 0";
-  throw std::invalid_argument(text.str());
-}
-
-// Reports progress, one thread at a time, and stops when asked to.
-class Reporter {
- public:
-  explicit Reporter(const EnvelopeObserver& observer) : observer_(observer) {}
-
-  void operator()(const EnvelopeProgress& progress) {
-    if (!observer_) return;
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (!stopped_) stopped_ = !observer_(progress);
-    if (stopped_) throw Cancelled();
-  }
-
- private:
-  const EnvelopeObserver& observer_;
-  std::mutex mutex_;
-  bool stopped_ = false;
-};
-
 class Generator {
  public:
   Generator(const Scene& scene, const EnvelopeOptions& options, const EquilibriumSolver& solver,
             const EnvelopeObserver& observer, const SolvedWitness& witness)
-      : options_(checked(scene, options)),
+      : options_(checkedOptions(scene, options)),
         space_(scene, options_),
         solver_(solver),
         report_(observer),
@@ -128,31 +106,6 @@ class Generator {
   }
 
  private:
-  static EnvelopeOptions checked(const Scene& scene, EnvelopeOptions options) {
-    requirePositive("margin", options.margin, " m");
-    requirePositive("memory_limit", options.memory_limit, " B");
-    if (!(options.from >= 0.0) || !std::isfinite(options.from) || !std::isfinite(options.to))
-      throw std::invalid_argument("from and to: expected times of at least 0 s");
-    if (options.probability != 0.0) {
-      planFor(options.probability, options.verification, 1);  // refuses what is none
-      std::ostringstream text;
-      text << "probability: " << options.probability;
-      if (!options.motions.empty()) {
-        throw std::invalid_argument(text.str() +
-                                    " over motions; expected no motions, or 0: all that the "
-                                    "tolerances allow");
-      }
-      if (!options.conservative)
-        throw std::invalid_argument(text.str() + " without inflation; expected a conservative envelope");
-    } else if (options.conservative && options.verification == 0) {
-      throw std::invalid_argument("verification: 0 shapes; expected at least 1 for a conservative envelope");
-    }
-    options.cables = allOrChosen(options.cables, scene.harness.cables.size(), "cable");
-    if (options.cables.empty()) throw std::invalid_argument("the scene has no cables");
-    for (const std::string& frame : options.frames) componentPose(scene, frame);
-    return options;
-  }
-
   // The design at the start of the motion, the stretches of its cables, the phases.
   void prepare() {
     const SamplePlace start = space_.designAt(options_.from);
@@ -170,60 +123,17 @@ class Generator {
       const auto own = cutIntoStretches(cable, view, kLongestStretch * thinnest);
       stretches_.insert(stretches_.end(), own.begin(), own.end());
     }
-    memory_ = EnvelopeMemory(stretches_.size(), frames_.size(),
-                             static_cast<std::size_t>(space_.coordinates()), equilibrium);
+    memory_ = EnvelopeMemory(reader_.readWithRates(start, harness, equilibrium, solver_), equilibrium);
     refuseMoreThanMemory(options_, memory_, equilibrium);
-    options_.largest_solves = std::min(options_.largest_solves, memory_.mostShapes(options_.memory_limit));
     const PhaseRule rule{kStride * thinnest, kReach * thinnest, kBow * thinnest, kLever * longest,
                          memory_.mostPhases(options_.memory_limit)};
     phases_ = cutIntoPhases(space_, frames_, options_.from, end_, rule, &wanted_phases_);
-    followDesign();
-  }
-
-  // The design's shape is followed from phase to phase.
-  void followDesign() {
-    searches_.reserve(phases_.size());
-    EquilibriumSolver following = solver_;
-    const StretchReader& reader = reader_;
-    for (const MotionPhase& phase : phases_) {
-      report_({"shapes", 0.1 * static_cast<double>(searches_.size()) / static_cast<double>(phases_.size()), 0,
-               phase.reference});
-      if (!searches_.empty()) approach(following, searches_.back().follower().referenceTime(), phase);
-      const Harness harness = space_.harness(space_.designAt(phase.reference));
-      const Equilibrium equilibrium = following.update(harness);
-      if (!equilibrium.converged()) {
-        std::ostringstream text;
-        text << "the design has no equilibrium at " << phase.reference << " s: " << equilibrium.message;
-        throw std::runtime_error(text.str());
-      }
-      ShapeFollower follower(reader, following, harness, equilibrium, phase.reference);
-      if (!searches_.empty()) noticeJump(searches_.back().follower(), follower);
-      searches_.emplace_back(std::move(follower), phase.times, kWorthwhile * options_.margin);
-      if (options_.probability == 0.0) searches_.back().setWitness(witness_);
+    searches_ =
+        searchesAlongDesign(reader_, solver_, phases_, kWorthwhile * options_.margin, report_, envelope_);
+    for (PhaseSearch& search : searches_) {
+      search.setMostShapes(memory_.mostShapes(options_.memory_limit, phases_.size()));
+      if (options_.probability == 0.0) search.setWitness(witness_);
     }
-  }
-
-  // Follows the design through some times between two references.
-  void approach(EquilibriumSolver& following, double from, const MotionPhase& phase) const {
-    const std::vector<double>& before = searches_.back().times();
-    std::vector<double> times;
-    const auto take = [&](const std::vector<double>& of) {
-      const std::size_t step = std::max<std::size_t>(1, of.size() / kFollowedTimes);
-      for (std::size_t i = 0; i < of.size(); i += step) {
-        if (of[i] > from && of[i] < phase.reference) times.push_back(of[i]);
-      }
-    };
-    take(before);
-    take(phase.times);
-    for (const double time : times) following.update(space_.harness(space_.designAt(time)));
-  }
-
-  void noticeJump(const ShapeFollower& before, const ShapeFollower& after) {
-    const SamplePlace place = space_.designAt(after.referenceTime());
-    const FollowedShape followed = before.follow(place, false);
-    if (followed.converged && !followed.jump) return;
-    warn(envelope_, "the design itself does not follow the motion smoothly between ", before.referenceTime(),
-         " and ", after.referenceTime(), " s: it snaps or is lost on the way");
   }
 
   // Each phase is looked through by itself.
@@ -256,19 +166,20 @@ class Generator {
   // Random shapes that stick out are taken in, until a round of others finds none. Where shapes are few, and
   // random ones hardly ever come, others like them are looked at too. Then the inflation is fixed.
   void learn() {
-    double most = 0.0;
+    RareRounding rounding(stretches_.size());
     LearningPlaces places{
         space_, options_.from, end_, options_.seed, std::min(options_.verification, kLookedAt), {}};
     for (int round = 0; options_.verification > 0; ++round) {
-      const std::vector<RandomShape> shapes = look(places.ofRound(round), round);
-      most = 0.0;
-      for (const RandomShape& shape : shapes) {
-        if (shape.converged) most = std::max(most, shape.protrusion);
-      }
+      const std::vector<RandomShape> shapes = look(places.ofRound(round, likeRare(round)), round);
+      rounding = RareRounding(stretches_.size());
+      rounding.add(shapes);
       const bool well = std::all_of(shapes.begin(), shapes.end(),
                                     [&](const RandomShape& shape) { return !sticksOut(shape); });
       if (well) break;
       if (round == kRounds) {
+        double most = 0.0;
+        for (const RandomShape& shape : shapes)
+          most = std::max(most, shape.converged ? shape.protrusion : 0.0);
         warn(envelope_, "random shapes still stick out by ", 1e3 * most, " mm after ", round,
              " rounds of taking them in");
         break;
@@ -276,9 +187,22 @@ class Generator {
       takeIn(shapes);
       places.rare = rarePlaces(shapes);
     }
+    for (PhaseSearch& search : searches_) search.keepSlices();
     // Facets may still move out by what was not worthwhile; random shapes have missed the worst place by
     // some.
-    if (options_.conservative) envelope_.inflation = 2.0 * std::max(most, kWorthwhile * options_.margin);
+    if (!options_.conservative) return;
+    envelope_.inflation = 2.0 * std::max(rounding.usual(), kWorthwhile * options_.margin);
+    envelope_.largest_inflation = envelope_.inflation;
+    const std::vector<double> beyond = rounding.beyond(envelope_.inflation);
+    const double most = *std::max_element(beyond.begin(), beyond.end());
+    if (most <= 0.0) return;
+    searches_.front().roundRare(beyond);
+    envelope_.largest_inflation += most;
+  }
+
+  std::size_t likeRare(int round) const {
+    if (searches_.size() > 1) return kLikeRareInMotion;
+    return round == kRounds ? kLikeRareLast : kLikeRare;
   }
 
   std::vector<SamplePlace> rarePlaces(const std::vector<RandomShape>& shapes) const {
@@ -317,7 +241,7 @@ class Generator {
     if (options_.verification == 0) return;
     const CounterRandom random(options_.seed, kContainmentStream);
     ContainmentCount count(envelope_.inflation);
-    std::vector<RandomShape> outside, unknown;
+    std::vector<RandomShape> outside;
     lookInBlocks(
         searches_, options_.verification,
         [&](std::size_t i) { return drawPlace(space_, options_.from, end_, random, i); },
@@ -326,7 +250,7 @@ class Generator {
           count.add(shapes, stretches_);
           for (std::size_t i = 0; i < shapes.size(); ++i) {
             if (count.isOutside(shapes[i]) && outside.size() < kMostHeld) outside.push_back(shapes[i]);
-            if (isDrawnEvenly(first + i)) countSnap(shapes[i], &unknown);
+            if (isDrawnEvenly(first + i)) shares_.count(shapes[i]);
           }
         });
     envelope_.containment = count.result(false, kConfidence);
@@ -337,7 +261,6 @@ class Generator {
            " of these too");
       hold(outside);
     }
-    countUnknown(unknown);
   }
 
   void holdProduction() {
@@ -348,7 +271,7 @@ class Generator {
           report_({share < 0.4 ? "shapes" : "containment", 0.9 * share, done, options_.from});
         });
     envelope_.probability = plan.probability;
-    envelope_.inflation = result.inflation;
+    envelope_.inflation = envelope_.largest_inflation = result.inflation;
     envelope_.containment = result.containment;
     envelope_.draws = result.draws;
     if (!result.shown) {
@@ -356,30 +279,7 @@ class Generator {
            result.looks, " looks at fresh shapes: up to ", 100.0 * result.containment.outside_bound,
            " % may stick out");
     }
-    counted_ = result.containment.shapes - result.containment.failed;
-    countUnknown(result.snapped);
-  }
-
-  // Counts a shape among those that tell of the share that snaps, by branch of the envelope; of a branch that
-  // is not known yet it is put aside.
-  void countSnap(const RandomShape& shape, std::vector<RandomShape>* unknown) {
-    if (!shape.converged) return;
-    ++counted_;
-    if (shape.jump.size() > 0) countJump(shape, unknown);
-  }
-
-  void countJump(const RandomShape& shape, std::vector<RandomShape>* unknown) {
-    const std::vector<std::size_t> numbers = branchNumbers(searches_)[shape.phase];
-    const std::size_t branch = searches_[shape.phase].branchAfter(shape.jump);
-    if (branch < numbers.size()) {
-      ++snapped_[numbers[branch]];
-    } else if (unknown != nullptr && unknown->size() < kMostHeld) {
-      unknown->push_back(shape);
-    }
-  }
-
-  void countUnknown(const std::vector<RandomShape>& shapes) {
-    for (const RandomShape& shape : shapes) countJump(shape, nullptr);
+    shares_.count(result.containment.shapes - result.containment.failed, result.snapped);
   }
 
   // What a random shape may stick out of a phase without being taken in [m].
@@ -418,39 +318,14 @@ class Generator {
     envelope_.cables = options_.cables;
     envelope_.variables = options_.variables;
     assembleEnvelope(searches_, options_.largest_solves, envelope_);
-    countBeyond();
+    shares_.tell(envelope_.snaps, kConfidence);
     for (std::size_t i = 0; i < phases_.size(); ++i) {
       envelope_.phases[i].excess = phases_[i].excess;
       envelope_.motion_excess = std::max(envelope_.motion_excess, phases_[i].excess);
     }
-    if (phases_.size() > 1) tellOfCoarsening();
-  }
-
-  void countBeyond() {
-    for (Snap& snap : envelope_.snaps) {
-      const std::size_t snapped = snapped_[snap.branch];
-      if (counted_ > 0) snap.share = static_cast<double>(snapped) / static_cast<double>(counted_);
-      snap.share_bound = shareUpperBound(snapped, counted_, kConfidence);
-    }
-  }
-
-  void tellOfCoarsening() {
-    const std::size_t most = memory_.mostPhases(options_.memory_limit);
-    if (wanted_phases_ > most) {
-      warn(envelope_, "the motion has ", wanted_phases_, " phases; ", phases_.size(),
-           " longer ones are taken, for which ", memoryText(options_.memory_limit),
-           " are enough: their bodies span up to ", 1e3 * envelope_.motion_excess,
-           " mm beyond the way of a clip");
-    }
-    double coarsest = 0.0;
-    std::size_t coarser = 0;
-    for (const PhaseSearch& search : searches_) {
-      coarsest = std::max(coarsest, search.tolerance());
-      coarser += search.tolerance() > kWorthwhile * options_.margin ? 1 : 0;
-    }
-    if (coarser > 0) {
-      warn(envelope_, coarser, " of ", searches_.size(), " phases leave gains of up to ", 1e3 * coarsest,
-           " mm to the inflation: over a motion ", kPatience, " solves are shared among the phases");
+    if (phases_.size() > 1) {
+      warnOfCoarsening(searches_, wanted_phases_, memory_.mostPhases(options_.memory_limit),
+                       options_.memory_limit, kWorthwhile * options_.margin, envelope_);
     }
   }
 
@@ -488,7 +363,7 @@ class Generator {
   EnvelopeOptions options_;
   SampleSpace space_;
   EquilibriumSolver solver_;
-  Reporter report_;
+  EnvelopeReporter report_;
   const SolvedWitness& witness_;
   double end_ = 0.0;
   EnvelopeMemory memory_;
@@ -498,8 +373,7 @@ class Generator {
   std::vector<MotionPhase> phases_;
   std::size_t wanted_phases_ = 1;
   std::vector<PhaseSearch> searches_;
-  std::size_t counted_ = 0;                     // random shapes that tell of shares, ...
-  std::map<std::size_t, std::size_t> snapped_;  // ... and how many snapped, per branch of the envelope
+  SnapShares shares_{searches_};
   Envelope envelope_;
 };
 
@@ -511,18 +385,6 @@ Envelope generateEnvelope(const Scene& scene, const EnvelopeOptions& options, co
   withThreads(options.threads,
               [&] { envelope = Generator(scene, options, solver, observer, witness).run(); });
   return envelope;
-}
-
-SolvedSample solveSample(const Scene& scene, const EnvelopeOptions& options, const Envelope& envelope,
-                         const EnvelopeSample& sample, const EquilibriumSolver& solver) {
-  EnvelopeOptions own = options;
-  own.variables = envelope.variables;
-  const SampleSpace space(scene, own);
-  const SamplePlace place{sample.deviations, sample.time};
-  EquilibriumSolver following = solver;
-  SolvedSample solved{space.harness(place), {}, space.components(place)};
-  solved.equilibrium = following.update(solved.harness);
-  return solved;
 }
 
 }  // namespace cable_variation

@@ -19,8 +19,11 @@ namespace {
 // Measured: what a stretch of a phase takes as seen from one frame, with the hull in the making [B]; a solver
 // per element, with its factors [B].
 constexpr double kPiece = 12e3, kElement = 12e3;
-// Of a shape by stretch and frame: its points and ends [B].
-constexpr double kPoints = 400.0;
+// Of a shape, for what each block of memory takes beside its content, and for what there is once: its place,
+// coordinates, how far they are trusted, where they have been looked at [B].
+constexpr double kBlock = 16.0, kOnce = 1000.0, kByCoordinate = 60.0;
+// A search that snaps has its shapes in so many clusters, and some more.
+constexpr std::size_t kClusters = 8;
 // Shapes that a search must be able to keep to be of use.
 constexpr double kFewestShapes = 64.0;
 constexpr double kMost = 1e9;  // of whatever is counted
@@ -55,22 +58,34 @@ Box boxAround(const Equilibrium& design) {
 
 }  // namespace
 
-EnvelopeMemory::EnvelopeMemory(std::size_t stretches, std::size_t frames, std::size_t coordinates,
-                               const Equilibrium& design) {
+EnvelopeMemory::EnvelopeMemory(const StretchShape& of, const Equilibrium& design) {
   std::size_t elements = 0;
   for (const CableShape& each : design.shapes) elements += each.points.size();
-  const double pieces = count(stretches) * count(frames);
-  // four rows of single precision at both ends
-  shape = pieces * (2.0 * 4.0 * sizeof(float) * count(coordinates) + kPoints);
-  phase = pieces * kPiece + kElement * count(elements) + 2.0 * shape;
+  const std::size_t stretches = of.radius.size(), frames = of.rates.size();
+  const double coordinates = count(static_cast<std::size_t>(of.rates.front().cols()) / (2 * stretches));
+  for (const auto& rates : of.rates) shape += sizeof(float) * count(static_cast<std::size_t>(rates.size()));
+  for (const auto& ends : of.ends) shape += sizeof(double) * count(static_cast<std::size_t>(ends.size()));
+  // as seen from the world alone
+  for (const auto& points : of.control.front())
+    shape += sizeof(Eigen::Vector3d) * count(points.capacity()) + sizeof(points) + kBlock;
+  shape += count(frames) * (sizeof(Pose) + 2.0 * kBlock) + sizeof(double) * count(stretches) + kOnce +
+           kByCoordinate * coordinates;
+  hulls = count(stretches) * count(frames) * kPiece;
+  phase = hulls + kElement * count(elements) + 2.0 * shape;
+}
+
+double EnvelopeMemory::ofSearch(std::size_t shapes, std::size_t clusters) const {
+  return count(shapes) * shape + count(clusters) * hulls;
 }
 
 std::size_t EnvelopeMemory::mostPhases(double limit) const {
   return std::max<std::size_t>(1, countWithin(kForPhases * limit, phase));
 }
 
-std::size_t EnvelopeMemory::mostShapes(double limit) const {
-  return countWithin(kForSearches * limit / threads(), shape);
+std::size_t EnvelopeMemory::mostShapes(double limit, std::size_t phases) const {
+  const double of_all = (phases == 1 ? kForSearches + kForPhases : kForSearches) * limit;
+  const double each = of_all / std::min(threads(), count(phases));
+  return countWithin(std::max(0.0, each - count(kClusters) * hulls), shape);
 }
 
 void refuseMoreThanMemory(const EnvelopeOptions& options, const EnvelopeMemory& memory,

@@ -4,6 +4,7 @@
 #include <string>
 
 #include <cable_variation/equilibrium/equilibrium.h>
+#include <cable_variation/tracking/stretch_shape.h>
 
 namespace cable_variation {
 
@@ -13,20 +14,23 @@ struct EnvelopeOptions;
 struct EnvelopeMemory {
   double shape = 0.0;  ///< a solved one that the search of a phase keeps, with its derivatives
   double phase = 0.0;  ///< one that is done: its pieces, and the design's shape to follow
+  double hulls = 0.0;  ///< of all stretches and frames, once
 
   /// Shares of the limit: for phases that are done, for searches under way, for random shapes, for the voxels
   /// of tightness once the searches have ended.
   static constexpr double kForPhases = 0.35, kForSearches = 0.25, kForRandomShapes = 0.25, kForVoxels = 0.5;
 
   EnvelopeMemory() = default;
-  /// @param stretches,frames,coordinates of a StretchShape
-  EnvelopeMemory(std::size_t stretches, std::size_t frames, std::size_t coordinates,
-                 const Equilibrium& design);
+  /// @param shape of the design, with rates
+  EnvelopeMemory(const StretchShape& shape, const Equilibrium& design);
 
   /// Phases that a limit [B] is enough for; at least one.
   std::size_t mostPhases(double limit) const;
-  /// Shapes that each search may keep within a limit [B], with as many under way as there are threads.
-  std::size_t mostShapes(double limit) const;
+  /// Shapes that each search may keep within a limit [B], with as many under way as there are threads, or
+  /// phases if they are fewer. A single phase has the share of others, too.
+  std::size_t mostShapes(double limit, std::size_t phases) const;
+  /// What a search takes that keeps so many shapes in so many clusters [B].
+  double ofSearch(std::size_t shapes, std::size_t clusters) const;
 };
 
 /// Throws std::invalid_argument if what is asked for would surely take more than `options.memory_limit`, with

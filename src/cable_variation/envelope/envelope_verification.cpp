@@ -16,7 +16,7 @@ ContainmentCheck::ContainmentCheck(const std::vector<PhaseSearch>& phases) : pha
         for (std::size_t i = 0; i < cluster.hulls[frame].size(); ++i) {
           const ConvexHull& hull = cluster.hulls[frame][i].hull();
           Piece piece{&hull, hull.surface().vertices.front(), hull.surface().vertices.front(),
-                      phase.radius()[i]};
+                      phase.pieceRadius(cluster, i)};
           for (const Eigen::Vector3d& vertex : hull.surface().vertices) {
             piece.low = piece.low.cwiseMin(vertex);
             piece.high = piece.high.cwiseMax(vertex);
@@ -45,9 +45,9 @@ double ContainmentCheck::outside(const Eigen::Vector3d& point, double radius, st
 // How far the sphere sticks out of the stretch's own pieces; `known` or less is as good as `known`.
 double ContainmentCheck::ownProtrusion(const PhaseSearch& phase, std::size_t frame, std::size_t stretch,
                                        const Eigen::Vector3d& point, double radius, double known) {
-  const double extra = radius - phase.radius()[stretch];
   double least = std::numeric_limits<double>::infinity();
   for (const PhaseSearch::Cluster& cluster : phase.clusters()) {
+    const double extra = radius - phase.pieceRadius(cluster, stretch);
     const ConvexHull& hull = cluster.hulls[frame][stretch].hull();
     const double height = hull.height(point);
     if (height + extra >= least) continue;
@@ -55,6 +55,31 @@ double ContainmentCheck::ownProtrusion(const PhaseSearch& phase, std::size_t fra
     if (least <= known) break;
   }
   return least;
+}
+
+// Per stretch, out of the pieces of the rare cluster that the shape as a whole sticks out of least.
+std::vector<float> ContainmentCheck::ofRare(const PhaseSearch& phase, const StretchShape& shape) {
+  std::vector<float> best;
+  float best_most = std::numeric_limits<float>::infinity();
+  for (const PhaseSearch::Cluster& cluster : phase.clusters()) {
+    if (!PhaseSearch::isRare(cluster)) continue;
+    std::vector<float> own(shape.radius.size(), 0.0F);
+    float most = 0.0F;
+    for (std::size_t frame = 0; frame < cluster.hulls.size() && most < best_most; ++frame) {
+      for (std::size_t i = 0; i < own.size(); ++i) {
+        const double extra = shape.radius[i] - phase.pieceRadius(cluster, i);
+        for (const Eigen::Vector3d& point : shape.centreline(frame, i)) {
+          const double out = cluster.hulls[frame][i].hull().closest(point).distance + extra;
+          own[i] = std::max(own[i], static_cast<float>(out));
+        }
+        most = std::max(most, own[i]);
+      }
+    }
+    if (most >= best_most) continue;
+    best_most = most;
+    best = std::move(own);
+  }
+  return best;
 }
 
 RandomShape ContainmentCheck::look(const SamplePlace& place, std::size_t phase_index,
@@ -79,6 +104,15 @@ RandomShape ContainmentCheck::look(const SamplePlace& place, std::size_t phase_i
         random.stretch = i;
       }
     }
+  }
+  // of many phases each has too few rare shapes to tell of others
+  if (random.protrusion > 0.0 && phases_->size() == 1 && phase.isRare(shape, followed.jump.has_value())) {
+    random.of_rare = ofRare(phase, shape);
+    // far from all pieces of rare shapes it is not one of theirs
+    constexpr double kOfTheirs = 3.0, kClose = 1e-4;
+    const auto most = std::max_element(random.of_rare.begin(), random.of_rare.end());
+    if (most != random.of_rare.end() && *most > kOfTheirs * random.protrusion + kClose)
+      random.of_rare.clear();
   }
   return random;
 }

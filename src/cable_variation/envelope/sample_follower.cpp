@@ -53,4 +53,16 @@ SolvedSample SampleFollower::solve(const EnvelopeSample& sample) const {
   return {std::move(followed.harness), std::move(followed.equilibrium), space_.components(place)};
 }
 
+SolvedSample solveSample(const Scene& scene, const EnvelopeOptions& options, const Envelope& envelope,
+                         const EnvelopeSample& sample, const EquilibriumSolver& solver) {
+  EnvelopeOptions own = options;
+  own.variables = envelope.variables;
+  const SampleSpace space(scene, own);
+  const SamplePlace place{sample.deviations, sample.time};
+  EquilibriumSolver following = solver;
+  SolvedSample solved{space.harness(place), {}, space.components(place)};
+  solved.equilibrium = following.update(solved.harness);
+  return solved;
+}
+
 }  // namespace cable_variation

@@ -161,6 +161,7 @@ GenerateEnvelopeResponse toResponse(const Scene& scene, const Envelope& envelope
   response.tightness = toResult(envelope.tightness);
   response.probability = envelope.probability;
   response.inflation = envelope.inflation;
+  response.largest_inflation = envelope.largest_inflation;
   for (const cable_variation::EnvelopePhase& phase : envelope.phases)
     response.phases.push_back(toInfo(phase));
   response.motion_excess = envelope.motion_excess;

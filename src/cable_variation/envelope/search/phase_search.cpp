@@ -5,6 +5,8 @@
 
 #include <tbb/parallel_for.h>
 
+#include <cable_variation/scene/moving_components.h>
+
 namespace cable_variation {
 namespace {
 
@@ -63,25 +65,53 @@ void PhaseSearch::insert(const StretchShape& shape, std::size_t branch) {
   }
   updateRadius();
   discretisation_error_ = std::max(discretisation_error_, shape.discretisation_error);
+  const bool only_held = shape.rates.empty() || samples_.size() >= most_shapes_;
   samples_.push_back(shape);
+  to_frame_.push_back(posesOf(shape.place));
   sample_coordinates_.push_back(follower_.coordinates(shape.place));
   sample_branch_.push_back(branch);
   progress_.push_back(way_.of(shape, sample_coordinates_.back().size()));
-  const bool believed = !shape.rates.empty() && largestReach(shape) <= kAboutToSnap * reach_;
+  const bool believed = !only_held && largestReach(shape) <= kAboutToSnap * reach_;
   trust_.push_back(believed ? 1.0 : 0.0);
   hold(samples_.size() - 1);
-  if (shape.rates.empty()) samples_.back().control.clear();  // many, and not to be held again
+  StretchShape& kept = samples_.back();
+  kept.control.resize(only_held ? 0 : 1);  // others are seen from it, see pointsOf()
+  kept.control.shrink_to_fit();
+  if (only_held) {
+    kept.rates = {};
+    slices_kept_ = true;
+  }
+}
+
+// What takes each frame's place in the world back, at the time.
+std::vector<Pose> PhaseSearch::posesOf(const SamplePlace& place) const {
+  const std::vector<std::string>& frames = follower_.reader().frames();
+  std::vector<Pose> poses;
+  if (frames.size() == 1) return poses;
+  const ComponentPoses components = follower_.reader().space().components(place);
+  for (const std::string& frame : frames) poses.push_back(poseIn(components, frame).inverse());
+  return poses;
+}
+
+// A stretch's points as seen from a frame, all that are kept being those in the world.
+std::vector<Eigen::Vector3d> PhaseSearch::pointsOf(std::size_t sample, std::size_t frame,
+                                                   std::size_t stretch) const {
+  const StretchShape& shape = samples_[sample];
+  if (frame < shape.control.size()) return shape.control[frame][stretch];
+  std::vector<Eigen::Vector3d> points = shape.control.front()[stretch];
+  for (Eigen::Vector3d& point : points) point = to_frame_[sample][frame] * point;
+  return points;
 }
 
 // Adds a sample's points to the hulls of its clusters.
 void PhaseSearch::hold(std::size_t sample) {
-  const StretchShape& shape = samples_[sample];
+  const std::size_t frames = follower_.reader().frames().size();
   const SnapWay::Slices slices = way_.slices(progress_[sample].at);
   for (int slice = slices.first; slice <= slices.last; ++slice) {
     Cluster& of = clusterOf(sample_branch_[sample], slice);
-    for (std::size_t frame = 0; frame < shape.control.size(); ++frame) {
+    for (std::size_t frame = 0; frame < frames; ++frame) {
       for (std::size_t i = 0; i < radius_.size(); ++i) {
-        const auto& points = shape.control[frame][i];
+        const std::vector<Eigen::Vector3d> points = pointsOf(sample, frame, i);
         for (std::size_t k = 0; k < points.size(); ++k) {
           const float share = static_cast<float>(k) / static_cast<float>(points.size() - 1);
           const GrowingHull::Tag tag{static_cast<std::uint32_t>(sample), share};
@@ -103,7 +133,7 @@ PhaseSearch::Cluster& PhaseSearch::clusterOf(std::size_t branch, int slice) {
 
 // Holds all samples in slices of that jump's way.
 void PhaseSearch::sliceAlong(const Eigen::Matrix3Xd& motion) {
-  if (forgotten_) return;  // they cannot be held anew
+  if (slices_kept_) return;
   way_ = SnapWay(follower_.reference().ends[0], motion);
   clusters_.clear();
   for (std::size_t sample = 0; sample < samples_.size(); ++sample) {
@@ -198,6 +228,10 @@ std::size_t PhaseSearch::takeJump(const FollowedShape::Jump& jump) {
   return branch;
 }
 
+bool PhaseSearch::isRare(const StretchShape& shape, bool snapped) const {
+  return snapped || way_.slices(way_.of(shape, 0).at).last > 0;
+}
+
 std::vector<SamplePlace> PhaseSearch::rarePlaces() const {
   std::vector<SamplePlace> places;
   for (std::size_t i = 0; i < samples_.size(); ++i) {
@@ -236,7 +270,7 @@ void PhaseSearch::fitCurvature() {
 }
 
 void PhaseSearch::forgetRates() {
-  forgotten_ = true;
+  slices_kept_ = true;
   for (std::size_t i = 1; i < samples_.size(); ++i) {
     SamplePlace place = std::move(samples_[i].place);
     samples_[i] = StretchShape();
@@ -262,7 +296,7 @@ void PhaseSearch::run(std::size_t largest_solves, std::size_t patience, const st
     fitCurvature();
     const std::vector<Candidate> candidates = choose(pushes(), std::min(kMostPerRound, patience));
     if (candidates.empty()) return;
-    if (solves_ + candidates.size() > largest_solves) {
+    if (solves_ + candidates.size() > largest_solves || samples_.size() >= most_shapes_) {
       exhausted_ = true;
       return;
     }

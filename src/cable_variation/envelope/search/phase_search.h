@@ -1,6 +1,7 @@
 #pragma once  // internal to envelope/
 
 #include <functional>
+#include <limits>
 #include <set>
 #include <vector>
 
@@ -20,6 +21,10 @@ class PhaseSearch {
   /// @param tolerance gain that is not worth a shape [m]
   PhaseSearch(ShapeFollower follower, std::vector<double> times, double tolerance);
 
+  /// Once it keeps so many shapes with what they tell of others, others are only held, and run() ends.
+  void setMostShapes(std::size_t most) { most_shapes_ = most; }
+  /// From then on shapes are added to the clusters as they are: a larger snap does not slice them anew.
+  void keepSlices() { slices_kept_ = true; }
   /// Told of every shape that run() solves.
   void setWitness(const SolvedWitness& witness) { witness_ = witness; }
   /// Takes in a shape found elsewhere, to start from it. Without rates it is only held.
@@ -41,7 +46,7 @@ class PhaseSearch {
   std::size_t solves() const { return solves_; }
   std::size_t failures() const { return failures_; }
   double tolerance() const { return tolerance_; }  ///< in the end [m]
-  bool exhausted() const { return exhausted_; }    ///< largest_solves came first
+  bool exhausted() const { return exhausted_; }    ///< the most solves or shapes came first
   double discretisationError() const { return discretisation_error_; }
   const std::vector<StretchShape>& samples() const { return samples_; }
   const std::vector<std::size_t>& sampleBranches() const { return sample_branch_; }
@@ -55,6 +60,15 @@ class PhaseSearch {
     std::vector<std::vector<GrowingHull>> hulls;  ///< per frame and stretch
   };
   const std::vector<Cluster>& clusters() const { return clusters_; }
+  /// Whether the cluster's shapes snapped, or are on the way of a snap.
+  static bool isRare(const Cluster& cluster) { return cluster.branch > 0 || cluster.slice > 0; }
+  bool isRare(const StretchShape& shape, bool snapped) const;
+  /// Rounds the pieces of rare clusters by more, per stretch [m].
+  void roundRare(std::vector<double> beyond) { beyond_ = std::move(beyond); }
+  /// That a piece of the cluster is rounded by before inflation [m].
+  double pieceRadius(const Cluster& cluster, std::size_t stretch) const {
+    return radius_[stretch] + (beyond_.empty() || !isRare(cluster) ? 0.0 : beyond_[stretch]);
+  }
 
   /// Equilibria that jumps of one kind lead to. The first is the design's own, followed.
   struct Branch {
@@ -101,6 +115,8 @@ class PhaseSearch {
   void insert(const StretchShape& shape, std::size_t branch);
   void updateRadius();
   void hold(std::size_t sample);
+  std::vector<Pose> posesOf(const SamplePlace& place) const;
+  std::vector<Eigen::Vector3d> pointsOf(std::size_t sample, std::size_t frame, std::size_t stretch) const;
   Cluster& clusterOf(std::size_t branch, int slice);
   std::size_t takeJump(const FollowedShape::Jump& jump);
   void sliceAlong(const Eigen::Matrix3Xd& motion);
@@ -118,10 +134,13 @@ class PhaseSearch {
   std::vector<std::size_t> sample_branch_;
   std::vector<double> trust_;  // per sample: the share of a way that its derivatives are believed for
   std::vector<double> own_radius_, radius_;  // of the shapes alone, and see radius()
+  std::vector<double> beyond_;               // see roundRare(); empty: nothing
   std::vector<SnapWay::Progress> progress_;  // per sample
+  std::vector<std::vector<Pose>> to_frame_;  // per sample, by frame; none if only seen from the world
   SnapWay way_;
   SolvedWitness witness_;
-  bool forgotten_ = false;  // see forgetRates()
+  bool slices_kept_ = false;  // or shapes cannot be held anew
+  std::size_t most_shapes_ = std::numeric_limits<std::size_t>::max();
   std::vector<Branch> branches_;
   std::vector<Cluster> clusters_;
   CurvatureModel curvature_;

@@ -6,7 +6,7 @@ namespace cable_variation {
 namespace {
 
 constexpr std::uint32_t kLearningStream = 5, kRareStream = 6;  // as drawPlace()'s, beside a PointSet's
-constexpr std::size_t kLikeRare = 200;                         // of each round
+constexpr std::size_t kMostLikeRare = 1000;                    // rounds are that far apart
 
 }  // namespace
 
@@ -20,12 +20,12 @@ SamplePlace drawPlace(const SampleSpace& space, double from, double to, const Co
   return place;
 }
 
-std::vector<SamplePlace> LearningPlaces::ofRound(int round) const {
+std::vector<SamplePlace> LearningPlaces::ofRound(int round, std::size_t like_rare) const {
   const CounterRandom all_over(seed, kLearningStream), mixing(seed, kRareStream);
-  const auto first = static_cast<std::uint64_t>(round) * std::max(count, kLikeRare);
+  const auto first = static_cast<std::uint64_t>(round) * std::max(count, kMostLikeRare);
   std::vector<SamplePlace> places;
   for (std::size_t i = 0; i < count; ++i) places.push_back(drawPlace(space, from, to, all_over, first + i));
-  for (std::size_t i = 0; !rare.empty() && i < kLikeRare; ++i) {
+  for (std::size_t i = 0; !rare.empty() && i < std::min(like_rare, kMostLikeRare); ++i) {
     RandomRow numbers(mixing, first + i);
     const auto pick = [&]() -> const SamplePlace& {
       return rare[static_cast<std::size_t>(numbers.uniform() * static_cast<double>(rare.size()))];

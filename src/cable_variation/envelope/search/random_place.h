@@ -24,7 +24,8 @@ struct LearningPlaces {
   std::size_t count = 0;          ///< drawn all over
   std::vector<SamplePlace> rare;  ///< to look for more like these
 
-  std::vector<SamplePlace> ofRound(int round) const;
+  /// @param like_rare so many of these; the same order of magnitude in all rounds
+  std::vector<SamplePlace> ofRound(int round, std::size_t like_rare) const;
 };
 
 }  // namespace cable_variation
