@@ -32,11 +32,11 @@ namespace {
 // A facet that would move out by less than this share of the margin is left.
 constexpr double kWorthwhile = 0.4;
 // Rounds of looking at random shapes and taking in those that stick out, and the most of each.
-constexpr int kRounds = 5;
+constexpr int kRounds = 8;
 constexpr std::size_t kLookedAt = 2000;
 // Where shapes are rare, so many more like them in each round, and in the last, which says how far pieces are
 // rounded there. Over a motion they tell of one phase each; each takes as long as a hundred usual ones.
-constexpr std::size_t kLikeRare = 200, kLikeRareLast = 400, kLikeRareInMotion = 50;
+constexpr std::size_t kLikeRare = 200, kLikeRareLast = 400, kLikeRareInMotion = 200;
 // Of shapes that stick out of the finished envelope so many are taken in at most.
 constexpr std::size_t kMostHeld = 1000;
 // Random shapes that stick out by more than this share of the margin are taken in; in phases that leave more

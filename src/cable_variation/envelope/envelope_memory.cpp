@@ -22,6 +22,8 @@ constexpr double kPiece = 12e3, kElement = 12e3;
 // Of a shape, for what each block of memory takes beside its content, and for what there is once: its place,
 // coordinates, how far they are trusted, where they have been looked at [B].
 constexpr double kBlock = 16.0, kOnce = 1000.0, kByCoordinate = 60.0;
+// Measured: what lies free between blocks that grow while others stay.
+constexpr double kGaps = 1.25;
 // A search that snaps has its shapes in so many clusters, and some more.
 constexpr std::size_t kClusters = 8;
 // Shapes that a search must be able to keep to be of use.
@@ -70,6 +72,7 @@ EnvelopeMemory::EnvelopeMemory(const StretchShape& of, const Equilibrium& design
     shape += sizeof(Eigen::Vector3d) * count(points.capacity()) + sizeof(points) + kBlock;
   shape += count(frames) * (sizeof(Pose) + 2.0 * kBlock) + sizeof(double) * count(stretches) + kOnce +
            kByCoordinate * coordinates;
+  shape *= kGaps;
   hulls = count(stretches) * count(frames) * kPiece;
   phase = hulls + kElement * count(elements) + 2.0 * shape;
 }

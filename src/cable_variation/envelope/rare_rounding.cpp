@@ -6,7 +6,7 @@ namespace cable_variation {
 namespace {
 
 // Stretches to both sides that are rounded as well: another shape sticks out a little further along.
-constexpr std::size_t kAside = 4;
+constexpr std::size_t kAside = 1000;
 constexpr double kFactor = 2.0;
 
 }  // namespace
