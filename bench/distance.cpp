@@ -10,8 +10,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include <cable_variation/geometry/tube_distance/distance.h>
 #include <cable_variation/geometry/mesh/fcl_model.h>
+#include <cable_variation/geometry/tube_distance/distance.h>
 
 #include "fcl_distance.h"
 #include "ring.h"

@@ -1,5 +1,5 @@
-#include <ros_interface/static_geometry.h>
 #include <ros_interface/node/node_main.h>
+#include <ros_interface/static_geometry.h>
 
 int main(int argc, char** argv) {
   using namespace cable_variation_ros;

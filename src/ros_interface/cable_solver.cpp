@@ -3,8 +3,8 @@
 #include <ros/callback_queue.h>
 #include <ros/console.h>
 
-#include <ros_interface/node/names.h>
 #include <ros_interface/conversion/scene_loading.h>
+#include <ros_interface/node/names.h>
 
 namespace cable_variation_ros {
 

@@ -4,27 +4,27 @@
 
 #include <ros/node_handle.h>
 
+#include <ros_interface/context/solver_context.h>
+#include <ros_interface/context/solver_diagnostics.h>
+#include <ros_interface/display/envelope_publisher.h>
+#include <ros_interface/display/interference_publisher.h>
+#include <ros_interface/display/solver_publisher.h>
+#include <ros_interface/display/variation_publisher.h>
+#include <ros_interface/live/tf_follower.h>
+#include <ros_interface/node/node_parameters.h>
+#include <ros_interface/node/own_thread_service.h>
+#include <ros_interface/node/spinning_thread.h>
+#include <ros_interface/request/name_registry.h>
+#include <ros_interface/runs/envelope_runner.h>
+#include <ros_interface/runs/simulation_runner.h>
 #include <ros_interface/services/analyze_stability_service.h>
 #include <ros_interface/services/check_forbidden_region_service.h>
 #include <ros_interface/services/design_service.h>
-#include <ros_interface/display/envelope_publisher.h>
-#include <ros_interface/runs/envelope_runner.h>
 #include <ros_interface/services/generate_envelope_action.h>
 #include <ros_interface/services/get_scene_service.h>
-#include <ros_interface/display/interference_publisher.h>
 #include <ros_interface/services/load_scene_service.h>
-#include <ros_interface/request/name_registry.h>
-#include <ros_interface/node/node_parameters.h>
-#include <ros_interface/node/own_thread_service.h>
 #include <ros_interface/services/simulate_variation_action.h>
-#include <ros_interface/runs/simulation_runner.h>
 #include <ros_interface/services/solve_equilibrium_service.h>
-#include <ros_interface/context/solver_context.h>
-#include <ros_interface/context/solver_diagnostics.h>
-#include <ros_interface/display/solver_publisher.h>
-#include <ros_interface/node/spinning_thread.h>
-#include <ros_interface/live/tf_follower.h>
-#include <ros_interface/display/variation_publisher.h>
 
 namespace cable_variation_ros {
 

@@ -6,9 +6,9 @@
 
 #include <cable_variation/scene/moving_components.h>
 #include <ros_interface/conversion/message_conversion.h>
+#include <ros_interface/conversion/scene_loading.h>
 #include <ros_interface/node/names.h>
 #include <ros_interface/request/request_status.h>
-#include <ros_interface/conversion/scene_loading.h>
 
 namespace cable_variation_ros {
 

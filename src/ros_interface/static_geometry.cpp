@@ -2,8 +2,8 @@
 
 #include <cable_variation/scene/moving_components.h>
 #include <ros_interface/conversion/message_conversion.h>
-#include <ros_interface/node/names.h>
 #include <ros_interface/conversion/scene_loading.h>
+#include <ros_interface/node/names.h>
 
 namespace cable_variation_ros {
 

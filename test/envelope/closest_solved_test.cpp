@@ -8,12 +8,12 @@
 
 #include <gtest/gtest.h>
 
-#include <cable_variation/geometry/tube_distance/distance.h>
-#include <cable_variation/scene/deviations.h>
-#include <cable_variation/scene_file/scene_reader.h>
-#include <cable_variation/measures/cable_view.h>
 #include <cable_variation/envelope/clearance/clearance_skips.h>
 #include <cable_variation/envelope/search/random_place.h>
+#include <cable_variation/geometry/tube_distance/distance.h>
+#include <cable_variation/measures/cable_view.h>
+#include <cable_variation/scene/deviations.h>
+#include <cable_variation/scene_file/scene_reader.h>
 
 #include "envelope_scenes.h"
 

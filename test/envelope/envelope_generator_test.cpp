@@ -8,10 +8,10 @@
 
 #include <gtest/gtest.h>
 
-#include <cable_variation/scene_file/scene_reader.h>
-#include <cable_variation/measures/cable_view.h>
-#include <cable_variation/statistics/confidence.h>
 #include <cable_variation/envelope/search/random_place.h>
+#include <cable_variation/measures/cable_view.h>
+#include <cable_variation/scene_file/scene_reader.h>
+#include <cable_variation/statistics/confidence.h>
 #include <cable_variation/tolerances/tolerance_space.h>
 
 #include "envelope_scenes.h"

@@ -10,9 +10,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cable_variation/scene_file/scene_reader.h>
 #include <cable_variation/envelope/clearance/envelope_clearance.h>
 #include <cable_variation/envelope/envelope_generator.h>
+#include <cable_variation/scene_file/scene_reader.h>
 #include <cable_variation/tracking/material_stretch.h>
 
 #include "envelope_scenes.h"

@@ -9,12 +9,12 @@
 
 #include <gtest/gtest.h>
 
-#include <cable_variation/math/normal.h>
-#include <cable_variation/scene_file/scene_reader.h>
-#include <cable_variation/measures/cable_view.h>
 #include <cable_variation/envelope/clearance/closest_solved.h>
-#include <cable_variation/measures/joint_between.h>
 #include <cable_variation/envelope/statistical_envelope.h>
+#include <cable_variation/math/normal.h>
+#include <cable_variation/measures/cable_view.h>
+#include <cable_variation/measures/joint_between.h>
+#include <cable_variation/scene_file/scene_reader.h>
 #include <cable_variation/tolerances/tolerance_space.h>
 
 #include "envelope_scenes.h"

@@ -8,8 +8,8 @@
 
 #include <cable_variation/geometry/body/outer_surface.h>
 #include <cable_variation/scene/resource_address.h>
-#include <cable_variation/simulation/simulation.h>
 #include <cable_variation/sensitivity/stability_analysis.h>
+#include <cable_variation/simulation/simulation.h>
 
 #include "elastica.h"
 #include "fault_scene.h"

@@ -7,8 +7,8 @@
 #include <random>
 #include <vector>
 
-#include <cable_variation/geometry/tube_distance/centreline.h>
 #include <cable_variation/geometry/mesh/triangle_mesh.h>
+#include <cable_variation/geometry/tube_distance/centreline.h>
 #include <cable_variation/math/pose.h>
 
 /// Brute force for distances, by other formulae than the library's and in extended precision: every triangle,

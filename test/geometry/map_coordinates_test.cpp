@@ -1,11 +1,11 @@
 // Far from the origin, as in map coordinates, everything measures what it measures at the origin, to what is
 // left of a double there: a step of 1.2e-10 m at a thousand kilometres.
 #include <cable_variation/geometry/body/body_distance.h>
-#include <cable_variation/geometry/tube_distance/distance.h>
-#include <cable_variation/geometry/tube_distance/hausdorff.h>
 #include <cable_variation/geometry/body/outer_surface.h>
 #include <cable_variation/geometry/body/primitives.h>
 #include <cable_variation/geometry/body/voxel_set.h>
+#include <cable_variation/geometry/tube_distance/distance.h>
+#include <cable_variation/geometry/tube_distance/hausdorff.h>
 
 #include <cmath>
 #include <random>

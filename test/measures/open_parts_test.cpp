@@ -9,8 +9,8 @@
 
 #include <cable_variation/envelope/clearance/envelope_clearance.h>
 #include <cable_variation/envelope/envelope_generator.h>
-#include <cable_variation/simulation/simulation.h>
 #include <cable_variation/sensitivity/stability_analysis.h>
+#include <cable_variation/simulation/simulation.h>
 
 #include <envelope/envelope_scenes.h>
 

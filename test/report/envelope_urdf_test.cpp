@@ -10,12 +10,12 @@
 
 #include <gtest/gtest.h>
 
-#include <cable_variation/geometry/mesh/mesh_reader.h>
 #include <cable_variation/geometry/body/outer_surface.h>
 #include <cable_variation/geometry/body/primitives.h>
-#include <cable_variation/util/output_file.h>
+#include <cable_variation/geometry/mesh/mesh_reader.h>
 #include <cable_variation/report/stl.h>
 #include <cable_variation/scene_file/urdf_reader.h>
+#include <cable_variation/util/output_file.h>
 
 #include "geometry/closed_surface.h"
 

@@ -9,8 +9,8 @@
 #include <cable_variation/GenerateEnvelopeGoal.h>
 #include <cable_variation/GenerateEnvelopeResult.h>
 
-#include <ros_interface/request/request_status.h>
 #include <ros_interface/node/same_fields.h>
+#include <ros_interface/request/request_status.h>
 
 namespace cable_variation_ros {
 namespace {

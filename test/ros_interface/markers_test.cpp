@@ -1,7 +1,7 @@
 // Markers: cables true to size, clips told apart by kind, deletions of what is gone.
+#include <ros_interface/display/marker_channel.h>
 #include <ros_interface/markers/cable_markers.h>
 #include <ros_interface/markers/clip_markers.h>
-#include <ros_interface/display/marker_channel.h>
 
 #include <gtest/gtest.h>
 

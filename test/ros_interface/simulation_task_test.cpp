@@ -8,8 +8,8 @@
 #include <cable_variation/SimulateVariationGoal.h>
 #include <cable_variation/SimulateVariationResult.h>
 
-#include <ros_interface/request/request_status.h>
 #include <ros_interface/node/same_fields.h>
+#include <ros_interface/request/request_status.h>
 
 namespace cable_variation_ros {
 namespace {

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include <ros_interface/conversion/measure_conversion.h>
 #include <cable_variation/sensitivity/most_telling_variable.h>
+#include <ros_interface/conversion/measure_conversion.h>
 
 namespace cable_variation_ros {
 namespace {

@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 
 #include <cable_variation/geometry/tube_distance/hausdorff.h>
-#include <cable_variation/scene/cable_property.h>
 #include <cable_variation/measures/cable_view.h>
 #include <cable_variation/measures/measure_evaluation.h>
+#include <cable_variation/scene/cable_property.h>
 
 #include <equilibrium/case_table.h>
 #include <measures/solved_scene.h>

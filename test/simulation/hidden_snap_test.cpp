@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cable_variation/util/counter_random.h>
-#include <cable_variation/simulation/simulation.h>
 #include <cable_variation/sensitivity/stability_analysis.h>
+#include <cable_variation/simulation/simulation.h>
+#include <cable_variation/util/counter_random.h>
 
 #include <envelope/envelope_scenes.h>
 

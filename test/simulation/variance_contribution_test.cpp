@@ -9,8 +9,8 @@
 #include <Eigen/QR>
 #include <gtest/gtest.h>
 
-#include <cable_variation/util/counter_random.h>
 #include <cable_variation/math/normal.h>
+#include <cable_variation/util/counter_random.h>
 
 namespace cable_variation {
 namespace {

@@ -12,9 +12,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cable_variation/util/counter_random.h>
 #include <cable_variation/math/normal.h>
 #include <cable_variation/tolerances/point_set.h>
+#include <cable_variation/util/counter_random.h>
 
 namespace cable_variation {
 namespace {

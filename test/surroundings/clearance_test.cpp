@@ -8,8 +8,8 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include <cable_variation/geometry/mesh/triangle_mesh.h>
 #include <cable_variation/equilibrium/equilibrium.h>
+#include <cable_variation/geometry/mesh/triangle_mesh.h>
 #include <cable_variation/scene_file/scene_reader.h>
 
 namespace cable_variation {

@@ -15,8 +15,8 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <gtest/gtest.h>
 
-#include <cable_variation/util/counter_random.h>
 #include <cable_variation/tolerances/sampler.h>
+#include <cable_variation/util/counter_random.h>
 
 namespace cable_variation {
 namespace {

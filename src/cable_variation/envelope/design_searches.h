@@ -3,8 +3,8 @@
 #include <vector>
 
 #include <cable_variation/envelope/envelope_reporter.h>
-#include <cable_variation/tracking/motion_phases.h>
 #include <cable_variation/envelope/search/phase_search.h>
+#include <cable_variation/tracking/motion_phases.h>
 
 namespace cable_variation {
 

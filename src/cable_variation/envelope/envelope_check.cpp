@@ -4,9 +4,9 @@
 #include <sstream>
 #include <stdexcept>
 
+#include <cable_variation/envelope/statistical_envelope.h>
 #include <cable_variation/scene/deviations.h>
 #include <cable_variation/util/chosen_indices.h>
-#include <cable_variation/envelope/statistical_envelope.h>
 
 namespace cable_variation {
 namespace {

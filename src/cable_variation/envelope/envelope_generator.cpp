@@ -8,23 +8,23 @@
 
 #include <tbb/parallel_for.h>
 
-#include <cable_variation/util/seconds_since.h>
-#include <cable_variation/util/thread_limit.h>
-#include <cable_variation/util/chosen_indices.h>
+#include <cable_variation/envelope/design_searches.h>
 #include <cable_variation/envelope/envelope_assembly.h>
 #include <cable_variation/envelope/envelope_check.h>
-#include <cable_variation/envelope/design_searches.h>
 #include <cable_variation/envelope/envelope_memory.h>
 #include <cable_variation/envelope/envelope_reporter.h>
 #include <cable_variation/envelope/envelope_tightness.h>
 #include <cable_variation/envelope/envelope_verification.h>
 #include <cable_variation/envelope/envelope_warning.h>
-#include <cable_variation/tracking/motion_phases.h>
+#include <cable_variation/envelope/rare_rounding.h>
 #include <cable_variation/envelope/search/phase_search.h>
 #include <cable_variation/envelope/search/random_place.h>
-#include <cable_variation/envelope/rare_rounding.h>
 #include <cable_variation/envelope/snap_shares.h>
 #include <cable_variation/envelope/statistical_envelope.h>
+#include <cable_variation/tracking/motion_phases.h>
+#include <cable_variation/util/chosen_indices.h>
+#include <cable_variation/util/seconds_since.h>
+#include <cable_variation/util/thread_limit.h>
 
 namespace cable_variation {
 namespace {

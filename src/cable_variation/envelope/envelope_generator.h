@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
+#include <cable_variation/envelope/envelope.h>
 #include <cable_variation/equilibrium/equilibrium.h>
 #include <cable_variation/scene/scene.h>
-#include <cable_variation/envelope/envelope.h>
-#include <cable_variation/tracking/shape_follower.h>
 #include <cable_variation/tolerances/varied_design.h>
+#include <cable_variation/tracking/shape_follower.h>
 
 namespace cable_variation {
 

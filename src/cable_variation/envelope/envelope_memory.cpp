@@ -8,10 +8,10 @@
 
 #include <tbb/task_arena.h>
 
-#include <cable_variation/geometry/mesh/box.h>
 #include <cable_variation/envelope/envelope_generator.h>
 #include <cable_variation/envelope/envelope_tightness.h>
 #include <cable_variation/envelope/statistical_envelope.h>
+#include <cable_variation/geometry/mesh/box.h>
 
 namespace cable_variation {
 namespace {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include <cable_variation/geometry/mesh/box.h>
 #include <cable_variation/envelope/envelope.h>
+#include <cable_variation/geometry/mesh/box.h>
 #include <cable_variation/tracking/stretch_shape.h>
 
 namespace cable_variation {

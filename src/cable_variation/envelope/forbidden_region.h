@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include <cable_variation/envelope/envelope.h>
 #include <cable_variation/geometry/body/convex_hull.h>
 #include <cable_variation/geometry/tube_distance/distance.h>
-#include <cable_variation/envelope/envelope.h>
 
 namespace cable_variation {
 

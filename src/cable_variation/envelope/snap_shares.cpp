@@ -1,7 +1,7 @@
 #include <cable_variation/envelope/snap_shares.h>
 
-#include <cable_variation/statistics/confidence.h>
 #include <cable_variation/envelope/envelope_assembly.h>
+#include <cable_variation/statistics/confidence.h>
 
 namespace cable_variation {
 namespace {

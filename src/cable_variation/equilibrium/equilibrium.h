@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include <cable_variation/harness/harness.h>
 #include <cable_variation/equilibrium/sensitivity.h>
+#include <cable_variation/harness/harness.h>
 #include <cable_variation/math/curve_piece.h>
 
 namespace cable_variation {

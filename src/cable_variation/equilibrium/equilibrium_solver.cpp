@@ -4,11 +4,11 @@
 #include <sstream>
 #include <stdexcept>
 
-#include <cable_variation/equilibrium/search/branch.h>
 #include <cable_variation/equilibrium/derivatives/eigenvalue_rate.h>
-#include <cable_variation/equilibrium/equilibrium.h>
 #include <cable_variation/equilibrium/derivatives/equilibrium_rate.h>
 #include <cable_variation/equilibrium/discretisation/equilibrium_result.h>
+#include <cable_variation/equilibrium/equilibrium.h>
+#include <cable_variation/equilibrium/search/branch.h>
 #include <cable_variation/equilibrium/search/initial_shape.h>
 #include <cable_variation/equilibrium/search/lowest_shape.h>
 #include <cable_variation/util/seconds_since.h>

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include <cable_variation/geometry/tube_distance/centreline.h>
 #include <cable_variation/equilibrium/equilibrium.h>
 #include <cable_variation/equilibrium/sensitivity.h>
+#include <cable_variation/geometry/tube_distance/centreline.h>
 #include <cable_variation/rod/profile.h>
 
 namespace cable_variation {

@@ -5,12 +5,12 @@
 #include <string>
 #include <vector>
 
-#include <cable_variation/geometry/tube_distance/distance.h>
 #include <cable_variation/equilibrium/equilibrium.h>
 #include <cable_variation/equilibrium/sensitivity.h>
+#include <cable_variation/geometry/tube_distance/distance.h>
+#include <cable_variation/measures/component_parts.h>
 #include <cable_variation/scene/design_rate.h>
 #include <cable_variation/scene/scene.h>
-#include <cable_variation/measures/component_parts.h>
 
 namespace cable_variation {
 

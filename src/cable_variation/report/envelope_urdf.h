@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include <cable_variation/geometry/mesh/triangle_mesh.h>
 #include <cable_variation/envelope/envelope.h>
+#include <cable_variation/geometry/mesh/triangle_mesh.h>
 
 namespace cable_variation {
 

@@ -4,8 +4,8 @@
 
 #include <cable_variation/report/section.h>
 #include <cable_variation/scene/scene.h>
-#include <cable_variation/simulation/simulation_statistics.h>
 #include <cable_variation/sensitivity/stability_analysis.h>
+#include <cable_variation/simulation/simulation_statistics.h>
 
 namespace cable_variation {
 

@@ -8,9 +8,9 @@
 #include <stdexcept>
 
 #include <cable_variation/scene/motion_samples.h>
+#include <cable_variation/scene/resource_address.h>
 #include <cable_variation/util/readable_text.h>
 #include <cable_variation/util/regular_file.h>
-#include <cable_variation/scene/resource_address.h>
 
 namespace cable_variation {
 namespace {

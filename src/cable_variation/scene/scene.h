@@ -84,7 +84,7 @@ using DesignTarget =
     std::variant<ClipTranslation, ClipRotation, ClipArcLength, CableProperty, BreakoutArcLength,
                  ComponentTranslation, ComponentRotation, LocatorDeviation>;
 
-/// A quantity that production varies; at its nominal value it is as good as absent. Its value is a deviation
+/// A quantity that production varies; at its nominal value nothing is changed. Its value is a deviation
 /// from the scene's nominal for poses and locators (nominal 0), the quantity itself for the properties of a
 /// cable and for arc lengths.
 struct DesignVariable {
@@ -97,7 +97,7 @@ struct DesignVariable {
   std::string distribution = "normal";
   std::map<std::string, double> distribution_parameters;
   std::vector<double> distribution_values;   ///< discrete, empirical: deviations from nominal
-  std::vector<double> distribution_weights;  ///< discrete: probabilities, of sum 1
+  std::vector<double> distribution_weights;  ///< discrete: probabilities, which add up to 1
 };
 
 /// A scene file's contents, resolved and checked.

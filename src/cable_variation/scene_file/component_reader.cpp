@@ -4,9 +4,9 @@
 
 #include <cable_variation/geometry/mesh/mesh_reader.h>
 #include <cable_variation/scene/locating_scheme.h>
+#include <cable_variation/scene/resource_address.h>
 #include <cable_variation/scene_file/pose_reader.h>
 #include <cable_variation/scene_file/read_context.h>
-#include <cable_variation/scene/resource_address.h>
 #include <cable_variation/scene_file/urdf_reader.h>
 
 namespace cable_variation {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include <cable_variation/util/readable_text.h>
 #include <cable_variation/scene_file/scene_reader.h>
+#include <cable_variation/util/readable_text.h>
 
 namespace cable_variation {
 namespace {

@@ -1,8 +1,8 @@
 #include <stdexcept>
 
 #include <cable_variation/scene/motion_samples.h>
-#include <cable_variation/scene_file/read_context.h>
 #include <cable_variation/scene/resource_address.h>
+#include <cable_variation/scene_file/read_context.h>
 
 namespace cable_variation {
 namespace {

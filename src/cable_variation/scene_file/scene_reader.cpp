@@ -4,8 +4,8 @@
 
 #include <cable_variation/scene_file/plausibility.h>
 #include <cable_variation/scene_file/read_context.h>
-#include <cable_variation/util/regular_file.h>
 #include <cable_variation/scene_file/yaml_document.h>
+#include <cable_variation/util/regular_file.h>
 
 namespace cable_variation {
 namespace {

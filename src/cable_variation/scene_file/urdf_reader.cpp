@@ -11,10 +11,10 @@
 
 #include <cable_variation/geometry/body/primitives.h>
 #include <cable_variation/scene_file/fault_list.h>
-#include <cable_variation/util/quantity.h>
-#include <cable_variation/util/regular_file.h>
 #include <cable_variation/scene_file/urdf_structure.h>
 #include <cable_variation/util/name_list.h>
+#include <cable_variation/util/quantity.h>
+#include <cable_variation/util/regular_file.h>
 
 namespace cable_variation {
 namespace {

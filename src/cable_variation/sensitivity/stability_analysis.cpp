@@ -6,11 +6,11 @@
 #include <sstream>
 #include <stdexcept>
 
-#include <cable_variation/util/seconds_since.h>
-#include <cable_variation/util/chosen_indices.h>
 #include <cable_variation/measures/open_parts.h>
 #include <cable_variation/scene/measure_traits.h>
 #include <cable_variation/tolerances/tolerances.h>
+#include <cable_variation/util/chosen_indices.h>
+#include <cable_variation/util/seconds_since.h>
 
 namespace cable_variation {
 namespace {

@@ -7,9 +7,9 @@
 #include <Eigen/Core>
 
 #include <cable_variation/equilibrium/equilibrium.h>
+#include <cable_variation/measures/measure_evaluation.h>
 #include <cable_variation/sensitivity/coupling.h>
 #include <cable_variation/tracking/low_high.h>
-#include <cable_variation/measures/measure_evaluation.h>
 
 namespace cable_variation {
 
@@ -34,7 +34,7 @@ struct StabilityAnalysis {
   Eigen::VectorXd mean_shift;      ///< per measure: what means off the nominal shift it by, first order
   Eigen::VectorXd sigma;  ///< per measure: standard deviation, first order: √(J Σ Jᵀ), without correlation
                           ///< the root sum of squares of derivative times sigma
-  Eigen::MatrixXd contribution;  ///< share of each variable in the variance, of sum 1 unless it is 0
+  Eigen::MatrixXd contribution;  ///< share of each variable in the variance; they add up to 1 unless it is 0
   Eigen::VectorXd worst_low,
       worst_high;  ///< per measure: smallest and largest change within the tolerances, first order
   std::vector<std::vector<LowHigh>> low_high;  ///< per measure and variable; empty unless asked for

@@ -6,9 +6,9 @@
 
 #include <Eigen/Core>
 
-#include <cable_variation/tolerances/sampler.h>
 #include <cable_variation/simulation/simulated_pose.h>
 #include <cable_variation/simulation/simulation.h>
+#include <cable_variation/tolerances/sampler.h>
 
 namespace cable_variation {
 

@@ -6,10 +6,10 @@
 #include <sstream>
 #include <stdexcept>
 
-#include <cable_variation/statistics/arc_variation.h>
-#include <cable_variation/tolerances/distribution.h>
 #include <cable_variation/measures/measure_context.h>
 #include <cable_variation/scene/measure_traits.h>
+#include <cable_variation/statistics/arc_variation.h>
+#include <cable_variation/tolerances/distribution.h>
 #include <cable_variation/tolerances/tolerances.h>
 
 namespace cable_variation {

@@ -9,9 +9,9 @@
 
 #include <cable_variation/equilibrium/batch_solver.h>
 #include <cable_variation/measures/measure_evaluation.h>
-#include <cable_variation/tracking/shape_follower.h>
-#include <cable_variation/simulation/simulation_statistics.h>
 #include <cable_variation/sensitivity/stability_analysis.h>
+#include <cable_variation/simulation/simulation_statistics.h>
+#include <cable_variation/tracking/shape_follower.h>
 
 namespace cable_variation {
 

@@ -12,12 +12,12 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/task_arena.h>
 
+#include <cable_variation/simulation/sample_block.h>
+#include <cable_variation/simulation/worst_over_motion.h>
+#include <cable_variation/util/chosen_indices.h>
 #include <cable_variation/util/pipeline.h>
 #include <cable_variation/util/seconds_since.h>
 #include <cable_variation/util/thread_limit.h>
-#include <cable_variation/util/chosen_indices.h>
-#include <cable_variation/simulation/sample_block.h>
-#include <cable_variation/simulation/worst_over_motion.h>
 
 namespace cable_variation {
 namespace {

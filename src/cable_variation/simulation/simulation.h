@@ -8,11 +8,11 @@
 #include <Eigen/Core>
 
 #include <cable_variation/equilibrium/equilibrium.h>
-#include <cable_variation/scene/scene.h>
-#include <cable_variation/statistics/arc_variation.h>
 #include <cable_variation/measures/measure_evaluation.h>
-#include <cable_variation/simulation/simulation_statistics.h>
+#include <cable_variation/scene/scene.h>
 #include <cable_variation/sensitivity/stability_analysis.h>
+#include <cable_variation/simulation/simulation_statistics.h>
+#include <cable_variation/statistics/arc_variation.h>
 #include <cable_variation/tolerances/varied_design.h>
 
 namespace cable_variation {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include <cable_variation/scene/scene.h>
+#include <cable_variation/simulation/variance_contribution.h>
 #include <cable_variation/statistics/measure_statistics.h>
 #include <cable_variation/tolerances/point_set.h>
-#include <cable_variation/simulation/variance_contribution.h>
 
 namespace cable_variation {
 
@@ -40,7 +40,7 @@ struct SimulationStatistics {
   std::uint64_t seed = 0;
   std::uint64_t wanted = 0;                                  ///< samples asked for
   std::uint64_t samples = 0;                                 ///< done; fewer: the simulation was ended before
-  std::array<std::uint64_t, kSampleOutcomes> outcomes = {};  ///< counts, of sum `samples`
+  std::array<std::uint64_t, kSampleOutcomes> outcomes = {};  ///< counts, which add up to `samples`
   std::vector<ListedSample> listed;                          ///< the first kMostListed that were not solved
   std::vector<double> nominal;                               ///< per measure
   std::vector<MeasureStatistics> statistics;                 ///< per measure

@@ -11,7 +11,9 @@ struct LinearMoments {
   double mean = 0.0, sigma = 0.0;
 };
 
-/// Mean and standard deviation of a measure, made sharper by what is known of its linear prediction.
+/// Mean and standard deviation of a measure by control variates: its linear prediction is sampled too, and
+/// its mean and standard deviation are known exactly, so what the samples miss of them corrects the
+/// measure's.
 struct ControlledEstimate {
   double mean = 0.0, sigma = 0.0;
   ConfidenceInterval mean_interval, sigma_interval;

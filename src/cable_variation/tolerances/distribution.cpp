@@ -10,11 +10,11 @@
 #include <boost/math/distributions/uniform.hpp>
 #include <boost/math/distributions/weibull.hpp>
 
-#include <cable_variation/util/quantity.h>
-#include <cable_variation/tolerances/beta_distribution.h>
 #include <cable_variation/statistics/quantile_search.h>
+#include <cable_variation/tolerances/beta_distribution.h>
 #include <cable_variation/tolerances/region_distribution.h>
 #include <cable_variation/tolerances/sample_distribution.h>
+#include <cable_variation/util/quantity.h>
 
 namespace cable_variation {
 namespace {

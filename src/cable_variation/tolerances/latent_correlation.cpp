@@ -7,8 +7,8 @@
 #include <Eigen/Eigenvalues>
 
 #include <cable_variation/scene/correlation_matrix.h>
-#include <cable_variation/util/quantity.h>
 #include <cable_variation/statistics/quantile_search.h>
+#include <cable_variation/util/quantity.h>
 
 namespace cable_variation {
 

@@ -9,7 +9,7 @@ namespace cable_variation {
 /// A few values, each with its probability.
 class DiscreteDistribution final : public Distribution {
  public:
-  /// @param weights of the values, of sum 1
+  /// @param weights of the values, which add up to 1
   DiscreteDistribution(const std::vector<double>& values, const std::vector<double>& weights);
 
   double mean() const override;

@@ -5,8 +5,8 @@
 
 #include <Eigen/Core>
 
-#include <cable_variation/util/counter_random.h>
 #include <cable_variation/scene/scene.h>
+#include <cable_variation/util/counter_random.h>
 
 namespace cable_variation {
 

@@ -5,8 +5,8 @@
 #include <Eigen/Core>
 
 #include <cable_variation/equilibrium/equilibrium.h>
-#include <cable_variation/tracking/material_stretch.h>
 #include <cable_variation/tolerances/sample_space.h>
+#include <cable_variation/tracking/material_stretch.h>
 
 namespace cable_variation {
 

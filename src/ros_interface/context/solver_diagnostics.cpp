@@ -2,8 +2,8 @@
 
 #include <ros/node_handle.h>
 
-#include <ros_interface/conversion/scene_loading.h>
 #include <ros_interface/context/solver_context.h>
+#include <ros_interface/conversion/scene_loading.h>
 
 namespace cable_variation_ros {
 

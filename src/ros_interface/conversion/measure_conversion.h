@@ -3,8 +3,8 @@
 #include <cable_variation/MeasureInfo.h>
 #include <cable_variation/MeasureResult.h>
 
-#include <cable_variation/scene/scene.h>
 #include <cable_variation/measures/measure_evaluation.h>
+#include <cable_variation/scene/scene.h>
 
 namespace cable_variation_ros {
 

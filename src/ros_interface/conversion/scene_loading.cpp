@@ -8,8 +8,8 @@
 #include <cable_variation/Status.h>
 
 #include <cable_variation/scene/motion_samples.h>
-#include <cable_variation/scene_file/plausibility.h>
 #include <cable_variation/scene/resource_address.h>
+#include <cable_variation/scene_file/plausibility.h>
 #include <cable_variation/scene_file/scene_reader.h>
 #include <ros_interface/conversion/bag_motion.h>
 #include <ros_interface/request/request_status.h>

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include <cable_variation/util/regular_file.h>
 #include <cable_variation/scene/scene.h>
+#include <cable_variation/util/regular_file.h>
 
 namespace cable_variation_ros {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include <ros_interface/markers/interference_markers.h>
 #include <ros_interface/display/marker_channel.h>
+#include <ros_interface/markers/interference_markers.h>
 
 namespace ros {
 class NodeHandle;

@@ -3,13 +3,13 @@
 #include <ros/node_handle.h>
 
 #include <cable_variation/scene/measure_traits.h>
+#include <ros_interface/context/solver_context.h>
+#include <ros_interface/conversion/component_deviations.h>
+#include <ros_interface/conversion/message_conversion.h>
+#include <ros_interface/display/interference_publisher.h>
 #include <ros_interface/markers/cable_markers.h>
 #include <ros_interface/markers/clip_markers.h>
-#include <ros_interface/conversion/component_deviations.h>
-#include <ros_interface/display/interference_publisher.h>
-#include <ros_interface/conversion/message_conversion.h>
 #include <ros_interface/node/names.h>
-#include <ros_interface/context/solver_context.h>
 
 namespace cable_variation_ros {
 

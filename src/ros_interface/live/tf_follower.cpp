@@ -3,10 +3,10 @@
 #include <ros/console.h>
 #include <ros/node_handle.h>
 
-#include <ros_interface/conversion/message_conversion.h>
-#include <ros_interface/node/names.h>
-#include <ros_interface/conversion/same_poses.h>
 #include <ros_interface/context/solver_context.h>
+#include <ros_interface/conversion/message_conversion.h>
+#include <ros_interface/conversion/same_poses.h>
+#include <ros_interface/node/names.h>
 
 namespace cable_variation_ros {
 

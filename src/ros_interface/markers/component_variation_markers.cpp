@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include <ros_interface/markers/coloured_mesh.h>
-#include <ros_interface/markers/colour_map.h>
 #include <ros_interface/conversion/message_conversion.h>
+#include <ros_interface/markers/colour_map.h>
+#include <ros_interface/markers/coloured_mesh.h>
 #include <ros_interface/node/names.h>
 
 namespace cable_variation_ros {

@@ -2,9 +2,9 @@
 
 #include <map>
 
+#include <ros_interface/conversion/message_conversion.h>
 #include <ros_interface/markers/marker_colours.h>
 #include <ros_interface/markers/marker_shapes.h>
-#include <ros_interface/conversion/message_conversion.h>
 #include <ros_interface/node/names.h>
 
 namespace cable_variation_ros {

@@ -4,8 +4,8 @@
 
 #include <visualization_msgs/MarkerArray.h>
 
-#include <cable_variation/geometry/mesh/triangle_mesh.h>
 #include <cable_variation/envelope/envelope.h>
+#include <cable_variation/geometry/mesh/triangle_mesh.h>
 
 namespace cable_variation_ros {
 

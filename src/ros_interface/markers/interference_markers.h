@@ -5,8 +5,8 @@
 
 #include <visualization_msgs/MarkerArray.h>
 
-#include <cable_variation/scene/scene.h>
 #include <cable_variation/measures/measure_evaluation.h>
+#include <cable_variation/scene/scene.h>
 
 namespace cable_variation_ros {
 

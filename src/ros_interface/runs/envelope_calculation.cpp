@@ -6,19 +6,19 @@
 #include <limits>
 #include <sstream>
 
-#include <cable_variation/geometry/mesh/mesh_volume.h>
-#include <cable_variation/geometry/body/outer_surface.h>
-#include <cable_variation/util/quantity.h>
 #include <cable_variation/envelope/clearance/closest_solved.h>
 #include <cable_variation/envelope/clearance/envelope_clearance.h>
 #include <cable_variation/envelope/envelope_memory.h>
-#include <ros_interface/markers/clearance_markers.h>
+#include <cable_variation/geometry/body/outer_surface.h>
+#include <cable_variation/geometry/mesh/mesh_volume.h>
+#include <cable_variation/util/quantity.h>
 #include <ros_interface/conversion/component_deviations.h>
 #include <ros_interface/conversion/envelope_conversion.h>
-#include <ros_interface/runs/envelope_files.h>
+#include <ros_interface/markers/clearance_markers.h>
 #include <ros_interface/markers/envelope_markers.h>
 #include <ros_interface/node/names.h>
 #include <ros_interface/request/request_status.h>
+#include <ros_interface/runs/envelope_files.h>
 
 namespace cable_variation_ros {
 

@@ -2,11 +2,11 @@
 
 #include <cable_variation/GenerateEnvelope.h>
 
-#include <ros_interface/runs/background_run.h>
-#include <ros_interface/display/envelope_publisher.h>
-#include <ros_interface/runs/envelope_task.h>
-#include <ros_interface/node/output_directory.h>
 #include <ros_interface/context/solver_context.h>
+#include <ros_interface/display/envelope_publisher.h>
+#include <ros_interface/node/output_directory.h>
+#include <ros_interface/runs/background_run.h>
+#include <ros_interface/runs/envelope_task.h>
 
 namespace cable_variation_ros {
 

@@ -2,11 +2,11 @@
 
 #include <filesystem>
 
+#include <cable_variation/envelope/forbidden_region.h>
 #include <cable_variation/report/envelope_urdf.h>
-#include <cable_variation/util/output_file.h>
 #include <cable_variation/report/stl.h>
 #include <cable_variation/scene/resource_address.h>
-#include <cable_variation/envelope/forbidden_region.h>
+#include <cable_variation/util/output_file.h>
 
 namespace cable_variation_ros {
 

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include <cable_variation/geometry/body/outer_surface.h>
 #include <cable_variation/envelope/envelope.h>
+#include <cable_variation/geometry/body/outer_surface.h>
 #include <ros_interface/node/output_directory.h>
 
 namespace cable_variation_ros {

@@ -1,10 +1,10 @@
 #include <ros_interface/runs/envelope_runner.h>
 
-#include <ros_interface/runs/envelope_calculation.h>
-#include <ros_interface/request/name_registry.h>
 #include <ros_interface/node/names.h>
-#include <ros_interface/request/request_status.h>
 #include <ros_interface/node/spinning_thread.h>
+#include <ros_interface/request/name_registry.h>
+#include <ros_interface/request/request_status.h>
+#include <ros_interface/runs/envelope_calculation.h>
 
 namespace cable_variation_ros {
 

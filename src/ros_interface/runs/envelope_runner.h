@@ -7,8 +7,8 @@
 
 #include <cable_variation/GenerateEnvelope.h>
 
-#include <ros_interface/runs/background_run.h>
 #include <ros_interface/node/output_directory.h>
+#include <ros_interface/runs/background_run.h>
 
 namespace cable_variation_ros {
 

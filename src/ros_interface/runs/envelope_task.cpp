@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include <cable_variation/envelope/clearance/envelope_clearance.h>
+#include <ros_interface/node/output_directory.h>
 #include <ros_interface/request/design_values.h>
 #include <ros_interface/request/name_lookup.h>
-#include <ros_interface/node/output_directory.h>
 #include <ros_interface/request/request_fields.h>
 
 namespace cable_variation_ros {

@@ -5,8 +5,8 @@
 
 #include <cable_variation/GenerateEnvelope.h>
 
-#include <cable_variation/scene/design.h>
 #include <cable_variation/envelope/envelope_generator.h>
+#include <cable_variation/scene/design.h>
 
 namespace cable_variation_ros {
 

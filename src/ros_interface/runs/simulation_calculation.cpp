@@ -2,8 +2,8 @@
 
 #include <chrono>
 
-#include <ros_interface/request/request_status.h>
 #include <ros_interface/conversion/simulation_conversion.h>
+#include <ros_interface/request/request_status.h>
 #include <ros_interface/runs/simulation_files.h>
 
 namespace cable_variation_ros {

@@ -2,11 +2,11 @@
 
 #include <cable_variation/SimulateVariation.h>
 
-#include <ros_interface/node/output_directory.h>
-#include <ros_interface/markers/simulation_markers.h>
-#include <ros_interface/runs/simulation_task.h>
 #include <ros_interface/context/solver_context.h>
 #include <ros_interface/display/view_origin.h>
+#include <ros_interface/markers/simulation_markers.h>
+#include <ros_interface/node/output_directory.h>
+#include <ros_interface/runs/simulation_task.h>
 
 namespace cable_variation_ros {
 

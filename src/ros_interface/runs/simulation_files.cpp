@@ -1,12 +1,12 @@
 #include <ros_interface/runs/simulation_files.h>
 
 #include <cable_variation/report/cable_variation_section.h>
-#include <cable_variation/util/output_file.h>
 #include <cable_variation/report/page.h>
 #include <cable_variation/report/sample_csv.h>
 #include <cable_variation/report/simulation_section.h>
-#include <ros_interface/conversion/utc_time.h>
+#include <cable_variation/util/output_file.h>
 #include <ros_interface/conversion/scene_loading.h>
+#include <ros_interface/conversion/utc_time.h>
 
 namespace cable_variation_ros {
 

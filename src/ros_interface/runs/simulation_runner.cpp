@@ -3,13 +3,13 @@
 #include <mutex>
 #include <optional>
 
-#include <ros_interface/runs/background_run.h>
-#include <ros_interface/request/name_registry.h>
-#include <ros_interface/node/names.h>
-#include <ros_interface/request/request_status.h>
-#include <ros_interface/runs/simulation_calculation.h>
-#include <ros_interface/node/spinning_thread.h>
 #include <ros_interface/display/variation_publisher.h>
+#include <ros_interface/node/names.h>
+#include <ros_interface/node/spinning_thread.h>
+#include <ros_interface/request/name_registry.h>
+#include <ros_interface/request/request_status.h>
+#include <ros_interface/runs/background_run.h>
+#include <ros_interface/runs/simulation_calculation.h>
 
 namespace cable_variation_ros {
 

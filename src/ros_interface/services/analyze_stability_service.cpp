@@ -4,23 +4,23 @@
 
 #include <ros/node_handle.h>
 
-#include <cable_variation/sensitivity/most_telling_variable.h>
-#include <cable_variation/util/output_file.h>
 #include <cable_variation/report/page.h>
 #include <cable_variation/report/stability_section.h>
-#include <ros_interface/conversion/component_deviations.h>
-#include <ros_interface/markers/component_variation_markers.h>
-#include <ros_interface/request/design_values.h>
-#include <ros_interface/request/name_lookup.h>
-#include <ros_interface/request/name_registry.h>
-#include <ros_interface/node/names.h>
-#include <ros_interface/request/request_status.h>
-#include <ros_interface/markers/sensitivity_markers.h>
+#include <cable_variation/sensitivity/most_telling_variable.h>
+#include <cable_variation/util/output_file.h>
 #include <ros_interface/context/solver_context.h>
+#include <ros_interface/conversion/component_deviations.h>
+#include <ros_interface/conversion/scene_loading.h>
 #include <ros_interface/conversion/stability_conversion.h>
 #include <ros_interface/conversion/utc_time.h>
 #include <ros_interface/display/variation_publisher.h>
-#include <ros_interface/conversion/scene_loading.h>
+#include <ros_interface/markers/component_variation_markers.h>
+#include <ros_interface/markers/sensitivity_markers.h>
+#include <ros_interface/node/names.h>
+#include <ros_interface/request/design_values.h>
+#include <ros_interface/request/name_lookup.h>
+#include <ros_interface/request/name_registry.h>
+#include <ros_interface/request/request_status.h>
 
 namespace cable_variation_ros {
 

@@ -5,17 +5,17 @@
 
 #include <ros/node_handle.h>
 
+#include <cable_variation/envelope/forbidden_region.h>
 #include <cable_variation/geometry/mesh/mesh_reader.h>
 #include <cable_variation/measures/component_parts.h>
-#include <cable_variation/envelope/forbidden_region.h>
 #include <cable_variation/measures/open_parts.h>
-#include <ros_interface/markers/clearance_markers.h>
-#include <ros_interface/display/interference_publisher.h>
-#include <ros_interface/conversion/message_conversion.h>
-#include <ros_interface/request/name_lookup.h>
-#include <ros_interface/node/names.h>
-#include <ros_interface/conversion/scene_loading.h>
 #include <ros_interface/context/solver_context.h>
+#include <ros_interface/conversion/message_conversion.h>
+#include <ros_interface/conversion/scene_loading.h>
+#include <ros_interface/display/interference_publisher.h>
+#include <ros_interface/markers/clearance_markers.h>
+#include <ros_interface/node/names.h>
+#include <ros_interface/request/name_lookup.h>
 
 namespace cable_variation_ros {
 

@@ -6,11 +6,11 @@
 #include <ros/node_handle.h>
 
 #include <cable_variation/scene/design_slips.h>
-#include <ros_interface/request/design_values.h>
+#include <ros_interface/context/solver_context.h>
 #include <ros_interface/conversion/message_conversion.h>
 #include <ros_interface/node/names.h>
+#include <ros_interface/request/design_values.h>
 #include <ros_interface/request/request_status.h>
-#include <ros_interface/context/solver_context.h>
 
 namespace cable_variation_ros {
 

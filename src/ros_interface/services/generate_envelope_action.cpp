@@ -4,10 +4,10 @@
 
 #include <cable_variation/GenerateEnvelope.h>
 
-#include <ros_interface/runs/action_end.h>
-#include <ros_interface/runs/envelope_runner.h>
 #include <ros_interface/node/names.h>
 #include <ros_interface/node/same_fields.h>
+#include <ros_interface/runs/action_end.h>
+#include <ros_interface/runs/envelope_runner.h>
 
 namespace cable_variation_ros {
 

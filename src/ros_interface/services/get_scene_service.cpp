@@ -2,10 +2,10 @@
 
 #include <ros/node_handle.h>
 
+#include <ros_interface/context/solver_context.h>
+#include <ros_interface/conversion/scene_conversion.h>
 #include <ros_interface/node/names.h>
 #include <ros_interface/request/request_status.h>
-#include <ros_interface/conversion/scene_conversion.h>
-#include <ros_interface/context/solver_context.h>
 
 namespace cable_variation_ros {
 

@@ -6,9 +6,9 @@
 
 #include <cable_variation/SimulateVariation.h>
 
-#include <ros_interface/runs/action_end.h>
 #include <ros_interface/node/names.h>
 #include <ros_interface/node/same_fields.h>
+#include <ros_interface/runs/action_end.h>
 #include <ros_interface/runs/simulation_runner.h>
 
 namespace cable_variation_ros {

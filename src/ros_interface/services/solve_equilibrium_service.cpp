@@ -5,14 +5,14 @@
 
 #include <ros/node_handle.h>
 
-#include <cable_variation/scene/moving_components.h>
 #include <cable_variation/measures/open_parts.h>
-#include <ros_interface/request/design_values.h>
+#include <cable_variation/scene/moving_components.h>
+#include <ros_interface/context/solver_context.h>
 #include <ros_interface/conversion/measure_conversion.h>
 #include <ros_interface/conversion/message_conversion.h>
 #include <ros_interface/node/names.h>
+#include <ros_interface/request/design_values.h>
 #include <ros_interface/request/request_status.h>
-#include <ros_interface/context/solver_context.h>
 
 namespace cable_variation_ros {
 

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include <cable_variation/geometry/tube_distance/distance.h>
 #include <cable_variation/envelope/clearance/envelope_clearance.h>
+#include <cable_variation/geometry/tube_distance/distance.h>
 
 namespace cable_variation {
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include <cable_variation/geometry/tube_distance/distance.h>
 #include <cable_variation/envelope/clearance/envelope_clearance.h>
+#include <cable_variation/geometry/tube_distance/distance.h>
 
 namespace cable_variation {
 

@@ -7,13 +7,13 @@
 #include <set>
 #include <stdexcept>
 
+#include <cable_variation/envelope/clearance/clearance_skips.h>
 #include <cable_variation/geometry/body/body_distance.h>
+#include <cable_variation/measures/cable_view.h>
+#include <cable_variation/measures/joint_between.h>
 #include <cable_variation/scene/deviations.h>
 #include <cable_variation/scene/moving_components.h>
-#include <cable_variation/measures/cable_view.h>
-#include <cable_variation/envelope/clearance/clearance_skips.h>
 #include <cable_variation/sensitivity/component_variation.h>
-#include <cable_variation/measures/joint_between.h>
 
 namespace cable_variation {
 namespace {

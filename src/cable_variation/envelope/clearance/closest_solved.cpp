@@ -8,13 +8,13 @@
 #include <mutex>
 #include <stdexcept>
 
+#include <cable_variation/envelope/clearance/clearance_skips.h>
 #include <cable_variation/geometry/mesh/box.h>
 #include <cable_variation/geometry/tube_distance/part_vicinity.h>
-#include <cable_variation/scene/moving_components.h>
 #include <cable_variation/measures/cable_view.h>
-#include <cable_variation/util/chosen_indices.h>
-#include <cable_variation/envelope/clearance/clearance_skips.h>
 #include <cable_variation/measures/joint_between.h>
+#include <cable_variation/scene/moving_components.h>
+#include <cable_variation/util/chosen_indices.h>
 
 namespace cable_variation {
 namespace {

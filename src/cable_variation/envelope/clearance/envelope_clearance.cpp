@@ -6,18 +6,18 @@
 
 #include <tbb/parallel_for.h>
 
-#include <cable_variation/geometry/tube_distance/nearest_place.h>
-#include <cable_variation/util/thread_limit.h>
-#include <cable_variation/scene/deviations.h>
-#include <cable_variation/scene/moving_components.h>
-#include <cable_variation/measures/cable_view.h>
 #include <cable_variation/envelope/clearance/clearance_samples.h>
 #include <cable_variation/envelope/clearance/clearance_spots.h>
 #include <cable_variation/envelope/clearance/closest_solved.h>
-#include <cable_variation/measures/open_parts.h>
 #include <cable_variation/envelope/clearance/pair_search.h>
 #include <cable_variation/envelope/clearance/production_pairs.h>
 #include <cable_variation/envelope/sample_follower.h>
+#include <cable_variation/geometry/tube_distance/nearest_place.h>
+#include <cable_variation/measures/cable_view.h>
+#include <cable_variation/measures/open_parts.h>
+#include <cable_variation/scene/deviations.h>
+#include <cable_variation/scene/moving_components.h>
+#include <cable_variation/util/thread_limit.h>
 
 namespace cable_variation {
 namespace {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include <cable_variation/measures/component_parts.h>
 #include <cable_variation/envelope/envelope.h>
 #include <cable_variation/envelope/envelope_generator.h>
+#include <cable_variation/measures/component_parts.h>
 
 namespace cable_variation {
 

@@ -5,8 +5,8 @@
 #include <set>
 #include <vector>
 
-#include <cable_variation/envelope/search/curvature_model.h>
 #include <cable_variation/envelope/envelope.h>
+#include <cable_variation/envelope/search/curvature_model.h>
 #include <cable_variation/envelope/search/growing_hull.h>
 #include <cable_variation/tracking/shape_follower.h>
 #include <cable_variation/tracking/snap_way.h>

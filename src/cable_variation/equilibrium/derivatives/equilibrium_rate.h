@@ -1,7 +1,7 @@
 #pragma once  // internal to equilibrium/
 
-#include <cable_variation/equilibrium/equilibrium.h>
 #include <cable_variation/equilibrium/derivatives/linear_response.h>
+#include <cable_variation/equilibrium/equilibrium.h>
 #include <cable_variation/rod/profile.h>
 
 namespace cable_variation {

@@ -6,8 +6,8 @@
 #include <Eigen/Core>
 
 #include <cable_variation/equilibrium/discretisation/configuration.h>
-#include <cable_variation/harness/harness_rate.h>
 #include <cable_variation/equilibrium/discretisation/rod_system.h>
+#include <cable_variation/harness/harness_rate.h>
 
 namespace cable_variation {
 

@@ -3,8 +3,8 @@
 #include <array>
 #include <functional>
 
-#include <cable_variation/equilibrium/equilibrium.h>
 #include <cable_variation/equilibrium/discretisation/rod_system.h>
+#include <cable_variation/equilibrium/equilibrium.h>
 
 namespace cable_variation {
 

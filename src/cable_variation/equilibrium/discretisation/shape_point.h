@@ -1,9 +1,9 @@
 #pragma once
 
-#include <cable_variation/equilibrium/equilibrium.h>
-#include <cable_variation/harness/harness_rate.h>
-#include <cable_variation/equilibrium/sensitivity.h>
 #include <cable_variation/equilibrium/discretisation/span_chain.h>
+#include <cable_variation/equilibrium/equilibrium.h>
+#include <cable_variation/equilibrium/sensitivity.h>
+#include <cable_variation/harness/harness_rate.h>
 #include <cable_variation/rod/profile.h>
 
 namespace cable_variation {

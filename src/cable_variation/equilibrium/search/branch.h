@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
+#include <cable_variation/equilibrium/discretisation/problem.h>
 #include <cable_variation/equilibrium/equilibrium.h>
 #include <cable_variation/equilibrium/search/minimise.h>
-#include <cable_variation/equilibrium/discretisation/problem.h>
 
 namespace cable_variation {
 

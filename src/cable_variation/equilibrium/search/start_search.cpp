@@ -10,8 +10,8 @@
 
 #include <cable_variation/equilibrium/discretisation/equilibrium_result.h>
 #include <cable_variation/equilibrium/search/initial_shape.h>
-#include <cable_variation/equilibrium/search/slide_starts.h>
 #include <cable_variation/equilibrium/search/minimise.h>
+#include <cable_variation/equilibrium/search/slide_starts.h>
 #include <cable_variation/equilibrium/search/twist.h>
 
 namespace cable_variation {

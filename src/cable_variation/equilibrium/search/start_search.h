@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include <cable_variation/equilibrium/equilibrium.h>
 #include <cable_variation/equilibrium/discretisation/problem.h>
+#include <cable_variation/equilibrium/equilibrium.h>
 
 namespace cable_variation {
 

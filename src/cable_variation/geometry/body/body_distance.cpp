@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include <cable_variation/geometry/body/body_search.h>
-#include <cable_variation/geometry/tube_distance/distance_part.h>
 #include <cable_variation/geometry/body/placed_body.h>
+#include <cable_variation/geometry/tube_distance/distance_part.h>
 #include <cable_variation/geometry/tube_distance/triangle_pair.h>
 
 namespace cable_variation {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include <cable_variation/geometry/mesh/box.h>
 #include <cable_variation/geometry/body/convex_hull.h>
+#include <cable_variation/geometry/mesh/box.h>
 
 namespace cable_variation {
 

@@ -3,8 +3,8 @@
 #include <mutex>
 #include <optional>
 
-#include <cable_variation/geometry/mesh/box.h>
 #include <cable_variation/geometry/body/convex_hull.h>
+#include <cable_variation/geometry/mesh/box.h>
 #include <cable_variation/geometry/mesh/surface_triangle.h>
 #include <cable_variation/geometry/mesh/triangle_tree.h>
 #include <cable_variation/math/pose.h>

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include <cable_variation/geometry/tube_distance/centreline.h>
 #include <cable_variation/geometry/mesh/triangle_mesh.h>
+#include <cable_variation/geometry/tube_distance/centreline.h>
 #include <cable_variation/math/pose.h>
 
 namespace cable_variation {

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include <cable_variation/geometry/tube_distance/distance.h>
 #include <cable_variation/geometry/mesh/triangle_tree.h>
+#include <cable_variation/geometry/tube_distance/distance.h>
 
 namespace cable_variation {
 

@@ -7,8 +7,8 @@
 
 #include <Eigen/Geometry>
 
-#include <cable_variation/geometry/tube_distance/parallel_bound.h>
 #include <cable_variation/geometry/mesh/surface_triangle.h>
+#include <cable_variation/geometry/tube_distance/parallel_bound.h>
 
 namespace cable_variation {
 namespace {
