@@ -141,7 +141,7 @@ TEST(PlyReader, DividesPolygonsThatAreNotConvex) {
       const double angle = 2.0 * M_PI * k / corners, radius = chance.between(0.2, 1.0);
       star.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
       const Eigen::Vector3d at = from + turn * Eigen::Vector3d(star.back().x(), star.back().y(), 0.0);
-      for (int k = 0; k < 3; ++k) data.add(at[k]);
+      for (int axis = 0; axis < 3; ++axis) data.add(at[axis]);
       data.endLine();
     }
     for (int k = 0; k < corners; ++k) {
