@@ -13,6 +13,7 @@
 #include <cable_variation/scene_file/scene_reader.h>
 #include <cable_variation/statistics/confidence.h>
 #include <cable_variation/tolerances/tolerance_space.h>
+#include <cable_variation/util/error.h>
 
 #include "envelope_scenes.h"
 #include "test_packages.h"
@@ -342,6 +343,16 @@ TEST(envelope_generator, reports_progress_and_stops_when_asked) {
                  Cancelled);
     EXPECT_EQ(calls, stop);
   }
+}
+
+TEST(envelope_generator, of_a_design_that_no_equilibrium_can_exist_for_says_so) {
+  Scene scene = bowedStrip();  // between clips 0.26 m apart
+  addVariable(scene, "length", CableProperty{0, CableProperty::Property::length}, -0.001, 0.001);
+  scene.design_variables.back().nominal = scene.harness.cables[0].length;
+  EnvelopeOptions options = exactly();
+  options.variables = {0, 1};
+  options.values["length"] = 0.2;
+  EXPECT_THROW(generateEnvelope(scene, options, solverOf(scene)), Impossible);
 }
 
 std::string refusal(const Scene& scene, const EnvelopeOptions& options) {

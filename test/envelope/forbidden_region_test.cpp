@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cable_variation/geometry/body/primitives.h>
+#include <cable_variation/util/error.h>
 #include <geometry/body_oracle.h>
 #include <measures/solved_scene.h>
 
@@ -111,7 +112,7 @@ TEST(ForbiddenRegion, SaysWhereAFileIsNoRegion) {
                     "region.obj"),
         std::invalid_argument);
   }
-  EXPECT_THROW(readRegion("no/such/region.obj"), std::runtime_error);
+  EXPECT_THROW(readRegion("no/such/region.obj"), FileError);
 }
 
 // A cube of 20 mm rounded by 5 mm: a box beside it, and one within.

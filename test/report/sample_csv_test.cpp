@@ -13,6 +13,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cable_variation/util/error.h>
+
 namespace cable_variation {
 namespace {
 
@@ -90,7 +92,7 @@ TEST_F(SampleCsvTest, AnEndedOneIsOnTheDiskOrAnError) {
   try {
     full.stop();
     FAIL();
-  } catch (const std::runtime_error& error) {
+  } catch (const FileError& error) {
     EXPECT_NE(std::string(error.what()).find("No space left on device"), std::string::npos) << error.what();
   }
 }
@@ -99,7 +101,7 @@ TEST_F(SampleCsvTest, AFolderThatIsNotThereIsAnError) {
   try {
     SampleCsv((folder_ / "no" / "samples.csv").string(), scene_, {0}, {1}, {});
     FAIL();
-  } catch (const std::runtime_error& error) {
+  } catch (const FileError& error) {
     EXPECT_NE(std::string(error.what()).find("samples.csv.partial' cannot be written: No such file"),
               std::string::npos)
         << error.what();
@@ -127,7 +129,7 @@ TEST_F(SampleCsvTest, ARunKeepsItsFileWhileItWrites) {
   try {
     csv();
     FAIL();
-  } catch (const std::runtime_error& error) {
+  } catch (const FileError& error) {
     EXPECT_NE(std::string(error.what()).find("another run writes it now"), std::string::npos) << error.what();
   }
   first.add(1, SampleOutcome::solved, &zero, &zero);
@@ -158,7 +160,7 @@ TEST_F(SampleCsvTest, ADiskThatFillsIsAnError) {
       const double value = 1.0 / 3.0;
       samples.add(written, SampleOutcome::solved, &value, &value);
     }
-  } catch (const std::runtime_error& error) {
+  } catch (const FileError& error) {
     said = error.what();
   }
   setrlimit(RLIMIT_FSIZE, &usual);

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cable_variation/envelope/envelope_generator.h>
+#include <cable_variation/util/error.h>
 
 namespace cable_variation_ros {
 namespace {

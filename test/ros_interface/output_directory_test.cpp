@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cable_variation/util/error.h>
+
 #include "test_packages.h"
 
 namespace cable_variation_ros {
@@ -51,7 +53,7 @@ TEST_F(OutputDirectoryTest, AFolderThatCannotBeMadeIsNamed) {
   try {
     OutputDirectory(file.path() + "/below").fileFor("x", ".csv");
     ADD_FAILURE() << "no error";
-  } catch (const std::runtime_error& error) {
+  } catch (const cable_variation::FileError& error) {
     EXPECT_NE(std::string(error.what()).find(file.path() + "/below"), std::string::npos) << error.what();
   }
 }

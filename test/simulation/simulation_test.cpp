@@ -14,6 +14,7 @@
 
 #include <cable_variation/scene_file/scene_reader.h>
 #include <cable_variation/simulation/worst_over_motion.h>
+#include <cable_variation/util/error.h>
 
 #include <envelope/envelope_scenes.h>
 
@@ -523,6 +524,15 @@ TEST(simulation, refuses_what_it_cannot_do_and_says_what) {
       EXPECT_NE(std::string(error.what()).find(refusal.says), std::string::npos) << error.what();
     }
   }
+}
+
+TEST(simulation, of_a_design_that_no_equilibrium_can_exist_for_says_so) {
+  Scene scene = bowedStrip();  // between clips 0.26 m apart
+  addVariable(scene, "length", CableProperty{0, CableProperty::Property::length}, -0.001, 0.001);
+  scene.design_variables.back().nominal = scene.harness.cables[0].length;
+  SimulationOptions options = optionsFor(scene, 100);
+  options.values["length"] = 0.2;
+  EXPECT_THROW(simulate(scene, options), Impossible);
 }
 
 // A tolerance that can be built, but a distribution without limits: what cannot be is counted, not refused.

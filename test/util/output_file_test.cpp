@@ -20,6 +20,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cable_variation/util/error.h>
+
 namespace cable_variation {
 namespace {
 
@@ -52,7 +54,7 @@ class OutputFileTest : public testing::Test {
 std::string failureOf(const std::function<void()>& work) {
   try {
     work();
-  } catch (const std::runtime_error& error) {
+  } catch (const FileError& error) {
     return error.what();
   }
   return "";

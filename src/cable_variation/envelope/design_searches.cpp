@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <sstream>
-#include <stdexcept>
 
 #include <cable_variation/envelope/envelope_warning.h>
+#include <cable_variation/equilibrium/require_converged.h>
 
 namespace cable_variation {
 namespace {
@@ -51,11 +51,9 @@ std::vector<PhaseSearch> searchesAlongDesign(const StretchReader& reader, const 
     if (!searches.empty()) approach(following, searches.back(), phase);
     const Harness harness = space.harness(space.designAt(phase.reference));
     const Equilibrium equilibrium = following.update(harness);
-    if (!equilibrium.converged()) {
-      std::ostringstream text;
-      text << "the design has no equilibrium at " << phase.reference << " s: " << equilibrium.message;
-      throw std::runtime_error(text.str());
-    }
+    std::ostringstream what;
+    what << "the design has no equilibrium at " << phase.reference << " s";
+    requireConverged(equilibrium, what.str());
     ShapeFollower follower(reader, following, harness, equilibrium, phase.reference);
     if (!searches.empty()) noticeJump(searches.back().follower(), follower, envelope);
     searches.emplace_back(std::move(follower), phase.times, tolerance);

@@ -12,7 +12,7 @@ namespace cable_variation {
 /// @param solver has the design's shape at the first phase @param tolerance of the searches [m]
 /// @param report told of the first tenth of all
 /// @param envelope warned if the design itself does not follow the motion smoothly
-/// Throws std::runtime_error: no equilibrium of the design in a phase.
+/// Throws as requireConverged(): no equilibrium of the design in a phase.
 std::vector<PhaseSearch> searchesAlongDesign(const StretchReader& reader, const EquilibriumSolver& solver,
                                              const std::vector<MotionPhase>& phases, double tolerance,
                                              EnvelopeReporter& report, Envelope& envelope);

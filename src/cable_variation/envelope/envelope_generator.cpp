@@ -21,6 +21,7 @@
 #include <cable_variation/envelope/search/random_place.h>
 #include <cable_variation/envelope/snap_shares.h>
 #include <cable_variation/envelope/statistical_envelope.h>
+#include <cable_variation/equilibrium/require_converged.h>
 #include <cable_variation/tracking/motion_phases.h>
 #include <cable_variation/util/chosen_indices.h>
 #include <cable_variation/util/seconds_since.h>
@@ -111,8 +112,7 @@ class Generator {
     const SamplePlace start = space_.designAt(options_.from);
     const Harness harness = space_.harness(start);
     const Equilibrium equilibrium = solver_.update(harness);
-    if (!equilibrium.converged())
-      throw std::runtime_error("the design has no equilibrium: " + equilibrium.message);
+    requireConverged(equilibrium, "the design has no equilibrium");
     double thinnest = std::numeric_limits<double>::infinity(), longest = 0.0;
     for (const std::size_t cable : options_.cables) {
       thinnest = std::min(thinnest, equilibrium.shapes[cable].radius);

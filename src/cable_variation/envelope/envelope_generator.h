@@ -43,18 +43,13 @@ struct EnvelopeProgress {
   double time = 0.0;  ///< of the motion, reached [s]
 };
 
-/// Asked now and then, from one thread at a time; false: stop.
+/// Asked now and then, from one thread at a time; false: stop, Cancelled is thrown.
 using EnvelopeObserver = std::function<bool(const EnvelopeProgress&)>;
-
-/// Thrown when the observer asked to stop.
-struct Cancelled : std::exception {
-  const char* what() const noexcept override { return "cancelled"; }
-};
 
 /// Throws std::invalid_argument: nothing varies, an index out of range, a motion that is empty, margins or
 /// counts that are none, a probability over a motion or without inflation, planFor(), what would take more
-/// memory than allowed, with what it would take; std::runtime_error: no equilibrium at the design itself, or
-/// of more of production than may be outside; Cancelled.
+/// memory than allowed, with what it would take; as requireConverged() does: no equilibrium at the design
+/// itself; NotConverged: of more of production than may be outside; Cancelled.
 /// @param solver the design's shape to follow, best solved; else it is solved from nothing
 /// @param witness told of every harness solved that the envelope is to hold: all, for containment and
 /// tightness too; with a probability of those for verification

@@ -3,6 +3,7 @@
 #include <mutex>
 
 #include <cable_variation/envelope/envelope_generator.h>
+#include <cable_variation/util/error.h>
 
 namespace cable_variation {
 

@@ -42,7 +42,7 @@ std::string regionText(const ForbiddenRegion& region);
 /// line: another format or version, what is missing or no number, facets of other vertices, pieces fewer or
 /// more than announced.
 ForbiddenRegion parseRegion(const std::string& text, const std::string& source);
-/// From a file; std::runtime_error that names it when it cannot be read.
+/// From a file; FileError that names it when it cannot be read.
 ForbiddenRegion readRegion(const std::string& path);
 
 /// A part against the region.

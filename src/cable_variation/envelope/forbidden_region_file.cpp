@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include <cable_variation/util/error.h>
 #include <cable_variation/util/number_text.h>
 
 namespace cable_variation {
@@ -245,7 +246,7 @@ ForbiddenRegion parseRegion(const std::string& text, const std::string& source) 
 
 ForbiddenRegion readRegion(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw std::runtime_error(path + ": cannot be read: " + std::generic_category().message(errno));
+  if (!file) throw FileError(path + ": cannot be read: " + std::generic_category().message(errno));
   std::ostringstream text;
   text << file.rdbuf();
   return parseRegion(text.str(), path);

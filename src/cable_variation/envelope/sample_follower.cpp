@@ -4,6 +4,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include <cable_variation/equilibrium/require_converged.h>
+
 namespace cable_variation {
 namespace {
 
@@ -33,8 +35,7 @@ SampleFollower::SampleFollower(const Scene& scene, const EnvelopeOptions& option
     before = reference;
     const Harness harness = space_.harness(space_.designAt(reference));
     const Equilibrium equilibrium = following.update(harness);
-    if (!equilibrium.converged())
-      throw std::runtime_error("the design has no equilibrium: " + equilibrium.message);
+    requireConverged(equilibrium, "the design has no equilibrium");
     if (stretches_.empty()) {
       for (std::size_t cable = 0; cable < harness.cables.size(); ++cable) {
         const CableView view(harness.cables[cable], equilibrium.shapes[cable]);

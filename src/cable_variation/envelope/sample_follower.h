@@ -14,7 +14,7 @@ class SampleFollower {
  public:
   /// Scene and envelope must outlive it. @param options as the envelope was made with
   /// @param solver the design's shape to follow
-  /// Throws std::runtime_error: no equilibrium of the design.
+  /// Throws as requireConverged(): no equilibrium of the design.
   SampleFollower(const Scene& scene, const EnvelopeOptions& options, const Envelope& envelope,
                  const EquilibriumSolver& solver);
 

@@ -14,6 +14,7 @@
 #include <boost/math/distributions/binomial.hpp>
 
 #include <cable_variation/statistics/confidence.h>
+#include <cable_variation/util/error.h>
 
 namespace cable_variation {
 namespace {
@@ -265,7 +266,7 @@ StatisticalResult holdShareOfProduction(std::vector<PhaseSearch>& searches, cons
       text << "an envelope of a share of " << plan.probability << ": "
            << std::count(protrusions.begin(), protrusions.end(), kInfinity) << " of " << protrusions.size()
            << " harnesses drawn from production have no equilibrium that the design's leads to";
-      throw std::runtime_error(text.str());
+      throw NotConverged(text.str());
     }
     options.inflation = result.inflation;
     ContainmentCount count(result.inflation);

@@ -58,7 +58,7 @@ struct StatisticalResult {
 /// @param sampler of plan.samples() at least
 /// @param witness told of verified shapes that are held
 /// @param progress told how many of all shapes are done, by any thread; may throw
-/// Throws std::runtime_error: more of the harnesses have no equilibrium than may be outside.
+/// Throws NotConverged: more of the harnesses have no equilibrium than may be outside.
 StatisticalResult holdShareOfProduction(std::vector<PhaseSearch>& searches, const Sampler& sampler,
                                         const StatisticalPlan& plan, const SolvedWitness& witness,
                                         const std::function<void(double share, std::size_t done)>& progress);

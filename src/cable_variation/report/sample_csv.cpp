@@ -12,6 +12,7 @@
 
 #include <cable_variation/report/csv.h>
 #include <cable_variation/report/stability_tables.h>
+#include <cable_variation/util/error.h>
 
 namespace cable_variation {
 
@@ -44,7 +45,7 @@ SampleCsv::SampleCsv(const std::string& path, const Scene& scene, const std::vec
   errno = 0;
   const int opened = openAlone(partial_);
   if (opened < 0 && errno == EWOULDBLOCK) {
-    throw std::runtime_error("file '" + partial_ + "' cannot be written: another run writes it now");
+    throw FileError("file '" + partial_ + "' cannot be written: another run writes it now");
   }
   if (opened < 0) fail(partial_, errno);
   file_.reset(::fdopen(opened, "wb"));
@@ -102,7 +103,7 @@ void SampleCsv::write(const std::string& line) {
 }
 
 void SampleCsv::fail(const std::string& file, int error) {
-  throw std::runtime_error("file '" + file + "' cannot be written: " + std::strerror(error));
+  throw FileError("file '" + file + "' cannot be written: " + std::strerror(error));
 }
 
 }  // namespace cable_variation

@@ -17,12 +17,12 @@ namespace cable_variation {
 class SampleCsv {
  public:
   /// @param values of the design simulated, as StabilityOptions::values; variables are written with them, not
-  /// as deviations. Throws std::runtime_error that names the file and what the system says, or that another
+  /// as deviations. Throws FileError that names the file and what the system says, or that another
   /// run, of this process or not, writes it now.
   SampleCsv(const std::string& path, const Scene& scene, const std::vector<std::size_t>& variables,
             const std::vector<std::size_t>& measures, const DesignValues& values);
 
-  /// Throws std::runtime_error that names the file and what the system says (the disk is full): what follows
+  /// Throws FileError that names the file and what the system says (the disk is full): what follows
   /// is not in the file, so leave it there.
   /// @param measured one per measure; not read without an equilibrium: nan
   void add(std::uint64_t index, SampleOutcome outcome, const double* deviations, const double* measured);

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include <cable_variation/equilibrium/require_converged.h>
 #include <cable_variation/measures/measure_context.h>
 #include <cable_variation/scene/measure_traits.h>
 #include <cable_variation/statistics/arc_variation.h>
@@ -40,12 +41,11 @@ StabilityAnalysis analysisOf(const SampleSpace& space, const VariedDesign& desig
   options.moved = space.moved(time);
   options.low_high = false;
   StabilityAnalysis analysis = analyseStability(space.scene(), evaluator, options, solver);
-  if (analysis.nominal.converged()) return analysis;
-  std::ostringstream text;
-  text << "the design has no equilibrium";
-  if (!space.motions().empty()) text << " at " << time << " s";
-  text << ": " << analysis.nominal.message;
-  throw std::runtime_error(text.str());
+  std::ostringstream what;
+  what << "the design has no equilibrium";
+  if (!space.motions().empty()) what << " at " << time << " s";
+  requireConverged(analysis.nominal, what.str());
+  return analysis;
 }
 
 // At the design's shape, as samples are solved.
@@ -56,8 +56,7 @@ EquilibriumSolver solverOf(const Harness& harness, EquilibriumSolver solver, dou
   options.eigenvalue = eigenvalue;
   solver.setOptions(options);
   const Equilibrium equilibrium = solver.update(harness);
-  if (!equilibrium.converged())
-    throw std::runtime_error("the design has no equilibrium: " + equilibrium.message);
+  requireConverged(equilibrium, "the design has no equilibrium");
   return solver;
 }
 

@@ -20,7 +20,7 @@ class SimulatedPose {
  public:
   /// @param space of scene, variables, motions; must outlive the pose, as must `scene`
   /// @param measures indices @param solver a shape to start from
-  /// Throws std::runtime_error: no equilibrium; std::invalid_argument: analyseStability().
+  /// Throws as requireConverged(): no equilibrium; std::invalid_argument: analyseStability().
   SimulatedPose(const SampleSpace& space, const VariedDesign& design,
                 const std::vector<std::size_t>& measures, const MeasureEvaluator& evaluator,
                 std::size_t sections, const EquilibriumSolver& solver, double time);

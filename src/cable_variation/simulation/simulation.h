@@ -109,8 +109,8 @@ using SampleReceiver = std::function<void(std::uint64_t index, SampleOutcome out
 /// @param evaluator of the scene, whatever its nominal shape: similarities are to the design at that time
 /// @param solver the design's shape to follow, best solved; else it is solved from nothing
 /// Throws std::invalid_argument that names it: nothing varies, an index out of range or twice, counts,
-/// confidence or times that are none, a variable whose tolerance leaves the physical; std::runtime_error: no
-/// equilibrium of the design itself.
+/// confidence or times that are none, a variable whose tolerance leaves the physical; as requireConverged()
+/// does: no equilibrium of the design itself.
 Simulation simulateVariation(const Scene& scene, const MeasureEvaluator& evaluator,
                              const SimulationOptions& options, const EquilibriumSolver& solver,
                              const SampleReceiver& receiver = {}, const SimulationObserver& observer = {});

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include <cable_variation/equilibrium/require_converged.h>
 #include <cable_variation/scene/measure_traits.h>
 #include <cable_variation/tracking/motion_phases.h>
 
@@ -54,11 +55,9 @@ class Search {
       const SamplePlace place = space_.designAt(phase.reference);
       const Harness harness = space_.harness(place);
       const Equilibrium equilibrium = solver.update(harness);
-      if (!equilibrium.converged()) {
-        std::ostringstream text;
-        text << "the design has no equilibrium at " << phase.reference << " s: " << equilibrium.message;
-        throw std::runtime_error(text.str());
-      }
+      std::ostringstream what;
+      what << "the design has no equilibrium at " << phase.reference << " s";
+      requireConverged(equilibrium, what.str());
       const ComponentPoses components = space_.components(place);
       const SolvedScene solved{harness, equilibrium, components};
       const std::vector<DesignRate> rates = space_.rates(place);

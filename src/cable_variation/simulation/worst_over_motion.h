@@ -36,7 +36,7 @@ struct WorstTimes {
 /// @param trials draws deviations; all of them are looked at
 /// @param solver the design's shape to follow
 /// @param goes_on asked at every phase; false: leave it, no times
-/// Throws std::runtime_error that names the time: the design has no equilibrium.
+/// Throws as requireConverged(), naming the time: the design has no equilibrium.
 WorstTimes findWorstTimes(const SampleSpace& space, const std::vector<std::size_t>& measures,
                           const MeasureEvaluator& evaluator, const Sampler& trials, double from, double to,
                           std::size_t most, EquilibriumSolver solver, const std::function<bool()>& goes_on);

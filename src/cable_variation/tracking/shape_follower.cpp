@@ -56,7 +56,7 @@ FollowedShape ShapeFollower::follow(const SamplePlace& place, bool with_rates) c
   } catch (const std::invalid_argument& error) {
     followed.message = error.what();
     return followed;
-  } catch (const std::runtime_error&) {
+  } catch (const OtherStations&) {
     return followInSteps(place, with_rates, Pace::usual);
   }
   const Eigen::Matrix3Xd expected = reference_.predicted(coordinates(place));
@@ -88,7 +88,7 @@ FollowedShape ShapeFollower::followWatchfully(const SamplePlace& place) const {
   } catch (const std::invalid_argument& error) {
     followed.message = error.what();
     return followed;
-  } catch (const std::runtime_error&) {
+  } catch (const OtherStations&) {
     return followClosely(place);
   }
   followed.converged = true;

@@ -69,7 +69,7 @@ StretchShape StretchReader::read(const SamplePlace& place, const Equilibrium& eq
   for (std::size_t i = 0; i < count; ++i) {
     const MaterialStretch& stretch = (*stretches_)[i];
     const StationIntervals& cable = intervals[stretch.cable];
-    if (stretch.interval >= cable.size()) throw std::runtime_error("the shape has other stations");
+    if (stretch.interval >= cable.size()) throw OtherStations();
     control[i].reserve(12);
     cable.appendControlPoints(stretch, control[i]);
     shape.radius.push_back(cable.largestRadius(stretch));

@@ -7,6 +7,7 @@
 #include <cable_variation/equilibrium/equilibrium.h>
 #include <cable_variation/tolerances/sample_space.h>
 #include <cable_variation/tracking/material_stretch.h>
+#include <cable_variation/util/error.h>
 
 namespace cable_variation {
 
@@ -40,6 +41,12 @@ struct StretchShape {
   Eigen::Matrix3Xd predicted(const Eigen::VectorXd& change) const;
 };
 
+/// Thrown of a solved shape that has other stations than the stretches: its points are not comparable.
+class OtherStations : public InternalError {
+ public:
+  OtherStations() : InternalError("the shape has other stations") {}
+};
+
 /// Reads the stretches off solved samples.
 class StretchReader {
  public:
@@ -52,7 +59,7 @@ class StretchReader {
   const std::vector<MaterialStretch>& stretches() const { return *stretches_; }
   const std::vector<std::string>& frames() const { return *frames_; }
 
-  /// Throws std::runtime_error if the shape has other stations than the stretches.
+  /// Throws OtherStations.
   StretchShape read(const SamplePlace& place, const Harness& harness, const Equilibrium& equilibrium) const;
   /// With derivatives. `solver` has the equilibrium.
   StretchShape readWithRates(const SamplePlace& place, const Harness& harness, const Equilibrium& equilibrium,

@@ -10,12 +10,14 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <cable_variation/util/error.h>
+
 namespace cable_variation {
 
 namespace {
 
 [[noreturn]] void fail(const std::string& path, int error) {
-  throw std::runtime_error("file '" + path + "' cannot be written: " + std::strerror(error));
+  throw FileError("file '" + path + "' cannot be written: " + std::strerror(error));
 }
 
 // Opens a file that was not there before, under a name that nobody else has: `path` is that name then.

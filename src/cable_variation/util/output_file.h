@@ -10,7 +10,7 @@ namespace cable_variation {
 /// made ready before the first of them takes the place of an older one.
 class StagedFile {
  public:
-  /// Throws std::runtime_error that names the file and what the system says; then nothing is left of it.
+  /// Throws FileError that names the file and what the system says; then nothing is left of it.
   StagedFile(std::string path, const std::string& contents);
   ~StagedFile();  ///< takes it away, unless it got its name
   StagedFile(StagedFile&& other) noexcept;

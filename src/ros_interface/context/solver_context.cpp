@@ -3,9 +3,9 @@
 #include <limits>
 #include <utility>
 
+#include <cable_variation/equilibrium/require_converged.h>
 #include <cable_variation/scene/design_rate.h>
 #include <cable_variation/scene/measure_traits.h>
-#include <ros_interface/request/request_status.h>
 
 namespace cable_variation_ros {
 

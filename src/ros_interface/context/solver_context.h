@@ -45,7 +45,7 @@ class SolverContext {
   void onChange(std::function<void()> callback) { changed_ = std::move(callback); }
 
   // Each throws, and leaves all as it was, when the harness is invalid
-  // (std::invalid_argument) or has no equilibrium (RequestError).
+  // (std::invalid_argument) or has no equilibrium (requireConverged()).
 
   /// Another scene, solved from nothing.
   void load(cable_variation::Scene scene);
@@ -77,7 +77,7 @@ class SolverContext {
 
   /// Of the design in force with `options.values`, to which the shape is followed
   /// where it can be. Completes options.values with what is in force, and options.moved.
-  /// Throws RequestError if there is no equilibrium.
+  /// Throws as requireConverged() if there is none.
   cable_variation::StabilityAnalysis analyse(cable_variation::StabilityOptions& options) const;
 
   /// How the shape in force, which must have converged, changes with a design variable (an index).
@@ -105,8 +105,8 @@ class SolverContext {
   mutable bool evaluator_in_force_ = false;  ///< its nominal shape is the one in force
 };
 
-/// A snapshot's solver at `design`, from the shape in force where that can be followed. Throws RequestError
-/// if there is no equilibrium.
+/// A snapshot's solver at `design`, from the shape in force where that can be followed. Throws as
+/// requireConverged() if there is no equilibrium.
 /// @param other it is not the design in force
 cable_variation::EquilibriumSolver solverAt(const SolverContext::Snapshot& snapshot,
                                             const cable_variation::VariedDesign& design, bool other);

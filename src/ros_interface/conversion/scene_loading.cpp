@@ -5,14 +5,12 @@
 #include <ros/console.h>
 #include <ros/package.h>
 
-#include <cable_variation/Status.h>
-
 #include <cable_variation/scene/motion_samples.h>
 #include <cable_variation/scene/resource_address.h>
 #include <cable_variation/scene_file/plausibility.h>
 #include <cable_variation/scene_file/scene_reader.h>
+#include <cable_variation/util/error.h>
 #include <ros_interface/conversion/bag_motion.h>
-#include <ros_interface/request/request_status.h>
 
 namespace cable_variation_ros {
 
@@ -21,7 +19,6 @@ using cable_variation::Motion;
 using cable_variation::Scene;
 using cable_variation::SceneError;
 using cable_variation::SceneFault;
-using cable_variation::Status;
 
 namespace {
 
@@ -43,14 +40,14 @@ std::string resolveAddress(const std::string& address, std::uintmax_t most_bytes
     try {
       return cable_variation::localPath(address, findPackage, most_bytes);
     } catch (const std::invalid_argument& error) {
-      throw RequestError(Status::NOT_FOUND, error.what());
+      throw cable_variation::NotFound(error.what());
     }
   }
   const std::string obstacle = cable_variation::obstacleTo(address, most_bytes);
   if (!obstacle.empty()) {
     std::error_code ignored;
     const std::filesystem::path where = std::filesystem::absolute(address, ignored);
-    throw RequestError(Status::NOT_FOUND, "'" + where.string() + "' " + obstacle);
+    throw cable_variation::NotFound("'" + where.string() + "' " + obstacle);
   }
   return address;
 }
@@ -59,8 +56,8 @@ Scene loadScene(const std::string& address) {
   std::string path;
   try {
     path = resolveAddress(address, kMostBytes);
-  } catch (const RequestError& error) {
-    throw RequestError(error.code(), "scene '" + address + "': " + error.what());
+  } catch (const cable_variation::NotFound& error) {
+    throw cable_variation::NotFound("scene '" + address + "': " + error.what());
   }
   Scene scene = cable_variation::readScene(path, findPackage);
   std::vector<SceneFault> faults;

@@ -13,12 +13,12 @@ namespace cable_variation_ros {
 std::string findPackage(const std::string& package);
 
 /// The file that a path, a file:// or a package:// address names. Throws
-/// RequestError (NOT_FOUND) for an unknown package, an address of another kind, and what is not a file of at
+/// cable_variation::NotFound for an unknown package, an address of another kind, and what is not a file of at
 /// most `most_bytes` that can be read.
 std::string resolveAddress(const std::string& address, std::uintmax_t most_bytes = cable_variation::kAnySize);
 
-/// Reads a scene and the bags its motions are recorded in. Throws RequestError
-/// (NOT_FOUND) if there is no such file and SceneError for what is wrong with it.
+/// Reads a scene and the bags its motions are recorded in. Throws
+/// cable_variation::NotFound if there is no such file and SceneError for what is wrong with it.
 cable_variation::Scene loadScene(const std::string& address);
 
 /// What the scene says but hardly means, each as "FILE:LINE: MESSAGE".

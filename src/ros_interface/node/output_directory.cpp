@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include <cable_variation/util/error.h>
+
 namespace cable_variation_ros {
 
 namespace {
@@ -50,7 +52,7 @@ std::string OutputDirectory::pathOf(const std::string& name, const std::string& 
 void OutputDirectory::make() const {
   std::error_code error;
   std::filesystem::create_directories(path_, error);
-  if (error) throw std::runtime_error("folder '" + path_ + "' cannot be made: " + error.message());
+  if (error) throw cable_variation::FileError("folder '" + path_ + "' cannot be made: " + error.message());
 }
 
 std::string OutputDirectory::fileFor(const std::string& name, const std::string& extension) const {

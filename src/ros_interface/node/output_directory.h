@@ -21,7 +21,8 @@ class OutputDirectory {
   /// The path of the file `name` + `extension` in the folder, there or not. Throws checkName()'s.
   std::string pathOf(const std::string& name, const std::string& extension) const;
 
-  /// Makes the folder if it is not there. Throws std::runtime_error that names it if it cannot be made.
+  /// Makes the folder if it is not there. Throws cable_variation::FileError that names it if it cannot be
+  /// made.
   void make() const;
 
   /// pathOf() in a folder that is there. Throws as both.

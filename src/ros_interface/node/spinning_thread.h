@@ -3,6 +3,8 @@
 #include <functional>
 #include <memory>
 
+#include <cable_variation/util/error.h>
+
 namespace ros {
 class CallbackQueueInterface;
 }
@@ -10,8 +12,8 @@ class CallbackQueueInterface;
 namespace cable_variation_ros {
 
 /// Thrown by SpinningThread::run() when the node ends.
-struct NodeEnds : std::exception {
-  const char* what() const noexcept override { return "the node ends"; }
+struct NodeEnds : cable_variation::Cancelled {
+  NodeEnds() : Cancelled("the node ends") {}
 };
 
 /// The thread that spins a node, as seen from others. Only there the design in force is read and changed, and

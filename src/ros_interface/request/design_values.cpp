@@ -6,7 +6,7 @@
 
 #include <cable_variation/Status.h>
 
-#include <ros_interface/request/request_status.h>
+#include <cable_variation/util/error.h>
 
 namespace cable_variation_ros {
 
@@ -24,7 +24,7 @@ cable_variation::DesignValues toDesignValues(const cable_variation::Scene& scene
         std::any_of(scene.design_variables.begin(), scene.design_variables.end(),
                     [&](const cable_variation::DesignVariable& variable) { return variable.name == name; });
     if (!known) {
-      throw RequestError(cable_variation::Status::NOT_FOUND, "no design variable named '" + name + "'");
+      throw cable_variation::NotFound("no design variable named '" + name + "'");
     }
     if (!std::isfinite(values[i])) {
       throw std::invalid_argument("design variable '" + name + "': value is not finite");

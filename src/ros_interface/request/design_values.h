@@ -7,7 +7,7 @@
 
 namespace cable_variation_ros {
 
-/// The design values of a request. Throws RequestError (NOT_FOUND) for a name that
+/// The design values of a request. Throws cable_variation::NotFound for a name that
 /// is no design variable, and std::invalid_argument for lists of different
 /// lengths, a name given twice or a value that is not finite.
 cable_variation::DesignValues toDesignValues(const cable_variation::Scene& scene,

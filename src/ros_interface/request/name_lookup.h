@@ -5,13 +5,11 @@
 #include <string>
 #include <vector>
 
-#include <cable_variation/Status.h>
-
-#include <ros_interface/request/request_status.h>
+#include <cable_variation/util/error.h>
 
 namespace cable_variation_ros {
 
-/// Where in `all` the names of a request are. Throws RequestError (NOT_FOUND) for a name that is not there,
+/// Where in `all` the names of a request are. Throws cable_variation::NotFound for a name that is not there,
 /// and std::invalid_argument for one given twice; `kind` says what is named.
 template <typename Named>
 std::vector<std::size_t> indicesOf(const std::vector<std::string>& names, const std::vector<Named>& all,
@@ -21,8 +19,7 @@ std::vector<std::size_t> indicesOf(const std::vector<std::string>& names, const 
     const auto found =
         std::find_if(all.begin(), all.end(), [&](const Named& each) { return each.name == name; });
     if (found == all.end()) {
-      throw RequestError(cable_variation::Status::NOT_FOUND,
-                         std::string("no ") + kind + " named '" + name + "'");
+      throw cable_variation::NotFound(std::string("no ") + kind + " named '" + name + "'");
     }
     const auto index = static_cast<std::size_t>(found - all.begin());
     if (std::find(indices.begin(), indices.end(), index) != indices.end()) {

@@ -8,7 +8,7 @@
 namespace cable_variation_ros {
 
 // What requests for envelopes and for simulations have in common. All throw std::invalid_argument that names
-// the field, its value and what is expected, and RequestError (NOT_FOUND) for a name that is none.
+// the field, its value and what is expected, and cable_variation::NotFound for a name that is none.
 
 [[noreturn]] void refuse(const std::string& field, double value, const std::string& expected);
 

@@ -1,6 +1,6 @@
 #include <ros_interface/runs/background_run.h>
 
-#include <cable_variation/envelope/envelope_generator.h>
+#include <cable_variation/util/error.h>
 
 namespace cable_variation_ros {
 

@@ -57,11 +57,7 @@ Envelope generate(const EnvelopeTask& task, const Scene& scene, const Equilibriu
     control.report({progress.stage, kEnvelopeShare * progress.share, progress.solves, progress.time});
     return !control.cancelled();
   };
-  try {
-    return generateEnvelope(scene, task.options, solver, observe, closest.witness());
-  } catch (const std::runtime_error& error) {
-    throw RequestError(Status::NOT_CONVERGED, error.what());
-  }
+  return generateEnvelope(scene, task.options, solver, observe, closest.witness());
 }
 
 /// The surface of all pieces, or of one cable's.

@@ -17,8 +17,7 @@ struct EnvelopeOutcome {
 
 /// An envelope with its clearances, its surface, its files and what is to be seen of it. Touches nothing but
 /// the files, which are written last: what cannot be written is told in the status, and costs nothing else.
-/// Throws RequestError without an equilibrium, cable_variation::Cancelled when `control` says so,
-/// std::invalid_argument for what the core refuses.
+/// Throws what generateEnvelope() does, cable_variation::Cancelled when `control` says so.
 EnvelopeOutcome calculateEnvelope(const EnvelopeTask& task, const SolverContext::Snapshot& snapshot,
                                   const OutputDirectory& output, RunControl& control);
 

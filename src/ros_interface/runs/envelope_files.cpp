@@ -6,6 +6,7 @@
 #include <cable_variation/report/envelope_urdf.h>
 #include <cable_variation/report/stl.h>
 #include <cable_variation/scene/resource_address.h>
+#include <cable_variation/util/error.h>
 #include <cable_variation/util/output_file.h>
 
 namespace cable_variation_ros {
@@ -41,7 +42,7 @@ void write(EnvelopeFiles& files, const OutputDirectory& output) {
       staged.reserve(all.size());
       for (const auto& [name, contents] : all) staged.emplace_back(name, contents);
       cable_variation::StagedFile::commit(staged);
-    } catch (const std::exception& problem) {
+    } catch (const cable_variation::FileError& problem) {
       path.clear();
       // a folder that is not there is told once
       if (files.error.find(problem.what()) != std::string::npos) return;

@@ -1,5 +1,6 @@
 #include <ros_interface/runs/envelope_runner.h>
 
+#include <cable_variation/util/error.h>
 #include <ros_interface/node/names.h>
 #include <ros_interface/node/spinning_thread.h>
 #include <ros_interface/request/name_registry.h>

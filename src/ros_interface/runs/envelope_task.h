@@ -22,7 +22,7 @@ struct EnvelopeTask {
 };
 
 /// @param moved components that are not where the scene has them now @param memory_limit of the request [B]
-/// Throws RequestError (NOT_FOUND) for a name that is none, and std::invalid_argument that names the field,
+/// Throws cable_variation::NotFound for a name that is none, and std::invalid_argument that names the field,
 /// its value and what is expected.
 EnvelopeTask toEnvelopeTask(const cable_variation::GenerateEnvelopeRequest& request,
                             const cable_variation::Design& design,

@@ -10,23 +10,12 @@ namespace cable_variation_ros {
 
 using cable_variation::EquilibriumSolver;
 using cable_variation::MeasureEvaluator;
-using cable_variation::SampleReceiver;
 using cable_variation::Scene;
 using cable_variation::Simulation;
 using cable_variation::SimulationObserver;
 using cable_variation::Status;
 
 namespace {
-
-Simulation simulate(const SimulationTask& task, const Scene& scene, const MeasureEvaluator& evaluator,
-                    const EquilibriumSolver& solver, const SampleReceiver& receiver,
-                    const SimulationObserver& observer) {
-  try {
-    return simulateVariation(scene, evaluator, task.options, solver, receiver, observer);
-  } catch (const std::runtime_error& error) {
-    throw RequestError(Status::NOT_CONVERGED, error.what());
-  }
-}
 
 Status statusOf(const Simulation& simulation, const std::string& file_error) {
   Status status;
@@ -52,7 +41,8 @@ SimulationResult calculateSimulation(const SimulationTask& task, const SolverCon
   const Scene& scene = snapshot.design.scene;
   const EquilibriumSolver solver = solverAt(snapshot, task.options, task.other_design);
   SimulationFiles files(output, task, scene);
-  const Simulation simulation = simulate(task, scene, evaluator, solver, files.receiver(), observer);
+  const Simulation simulation =
+      simulateVariation(scene, evaluator, task.options, solver, files.receiver(), observer);
 
   SimulationResult result;
   result.origin = viewOrigin(snapshot, task.options.motions);

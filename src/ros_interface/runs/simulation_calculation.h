@@ -18,8 +18,8 @@ struct SimulationResult {
 
 /// A simulation with its files and what is to be seen of it; touches nothing but the files. Its status is
 /// CANCELLED when the observer ended it and IO_ERROR when a file could not be written, with all the figures
-/// of what was done. Throws RequestError without an equilibrium, std::invalid_argument for what the core
-/// refuses, std::runtime_error for files that cannot even be begun.
+/// of what was done. Throws what simulateVariation() does, and cable_variation::FileError for files
+/// that cannot even be begun.
 SimulationResult calculateSimulation(const SimulationTask& task, const SolverContext::Snapshot& snapshot,
                                      const cable_variation::MeasureEvaluator& evaluator,
                                      const OutputDirectory& output,

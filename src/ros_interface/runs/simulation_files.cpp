@@ -4,6 +4,7 @@
 #include <cable_variation/report/page.h>
 #include <cable_variation/report/sample_csv.h>
 #include <cable_variation/report/simulation_section.h>
+#include <cable_variation/util/error.h>
 #include <cable_variation/util/output_file.h>
 #include <ros_interface/conversion/scene_loading.h>
 #include <ros_interface/conversion/utc_time.h>
@@ -60,7 +61,7 @@ bool SimulationFiles::attempt(const Write& write) {
   try {
     write();
     return true;
-  } catch (const std::exception& problem) {
+  } catch (const cable_variation::FileError& problem) {
     if (!error_.empty()) error_ += "; ";
     error_ += problem.what();
     return false;

@@ -19,7 +19,7 @@ namespace cable_variation_ros {
 /// must not cost the statistics.
 class SimulationFiles {
  public:
-  /// Opens NAME.csv. No name: no files. Throws std::runtime_error that names the file or the folder.
+  /// Opens NAME.csv. No name: no files. Throws cable_variation::FileError that names the file or the folder.
   SimulationFiles(const OutputDirectory& output, const SimulationTask& task,
                   const cable_variation::Scene& scene);
   ~SimulationFiles();

@@ -19,7 +19,7 @@ struct SimulationTask {
 };
 
 /// @param moved components that are not where the scene has them now
-/// Throws RequestError (NOT_FOUND) for a name that is none, and std::invalid_argument that names the field,
+/// Throws cable_variation::NotFound for a name that is none, and std::invalid_argument that names the field,
 /// its value and what is expected.
 SimulationTask toSimulationTask(const cable_variation::SimulateVariationRequest& request,
                                 const cable_variation::Design& design,

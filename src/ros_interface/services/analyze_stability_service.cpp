@@ -4,9 +4,11 @@
 
 #include <ros/node_handle.h>
 
+#include <cable_variation/equilibrium/require_converged.h>
 #include <cable_variation/report/page.h>
 #include <cable_variation/report/stability_section.h>
 #include <cable_variation/sensitivity/most_telling_variable.h>
+#include <cable_variation/util/error.h>
 #include <cable_variation/util/output_file.h>
 #include <ros_interface/context/solver_context.h>
 #include <ros_interface/conversion/component_deviations.h>
@@ -142,7 +144,7 @@ void AnalyzeStabilityService::writeReport(const std::string& name, const Scene& 
       output_.make();
       cable_variation::writeFile(path, contents);
       return path;
-    } catch (const std::exception& problem) {
+    } catch (const cable_variation::FileError& problem) {
       response.status.code = Status::IO_ERROR;
       std::string& message = response.status.message;
       if (message.find(problem.what()) == std::string::npos)  // a folder that is not there is told once

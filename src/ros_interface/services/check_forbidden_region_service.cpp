@@ -9,6 +9,7 @@
 #include <cable_variation/geometry/mesh/mesh_reader.h>
 #include <cable_variation/measures/component_parts.h>
 #include <cable_variation/measures/open_parts.h>
+#include <cable_variation/util/error.h>
 #include <ros_interface/context/solver_context.h>
 #include <ros_interface/conversion/message_conversion.h>
 #include <ros_interface/conversion/scene_loading.h>
@@ -16,6 +17,7 @@
 #include <ros_interface/markers/clearance_markers.h>
 #include <ros_interface/node/names.h>
 #include <ros_interface/request/name_lookup.h>
+#include <ros_interface/request/request_status.h>
 
 namespace cable_variation_ros {
 
@@ -34,7 +36,7 @@ constexpr std::uintmax_t kMostBytes = 2'000'000'000;  // of a region or mesh
 
 void requireFile(const std::string& path, const std::string& what) {
   const std::string obstacle = cable_variation::obstacleTo(path, kMostBytes);
-  if (!obstacle.empty()) throw RequestError(Status::NOT_FOUND, what + ": '" + path + "' " + obstacle);
+  if (!obstacle.empty()) throw cable_variation::NotFound(what + ": '" + path + "' " + obstacle);
 }
 
 ForbiddenRegion loadRegion(const std::string& address, const OutputDirectory& output) {

@@ -6,6 +6,7 @@
 #include <ros/node_handle.h>
 
 #include <cable_variation/scene/design_slips.h>
+#include <cable_variation/util/error.h>
 #include <ros_interface/context/solver_context.h>
 #include <ros_interface/conversion/message_conversion.h>
 #include <ros_interface/node/names.h>
@@ -24,7 +25,7 @@ template <typename Named>
 void requireKnown(const std::vector<Named>& all, const std::string& name, const char* kind) {
   const bool known =
       std::any_of(all.begin(), all.end(), [&](const Named& each) { return each.name == name; });
-  if (!known) throw RequestError(Status::NOT_FOUND, std::string("no ") + kind + " named '" + name + "'");
+  if (!known) throw cable_variation::NotFound(std::string("no ") + kind + " named '" + name + "'");
 }
 
 void apply(const cable_variation::ClipEdit& edit, Design& design) {

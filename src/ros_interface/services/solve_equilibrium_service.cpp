@@ -7,6 +7,7 @@
 
 #include <cable_variation/measures/open_parts.h>
 #include <cable_variation/scene/moving_components.h>
+#include <cable_variation/util/error.h>
 #include <ros_interface/context/solver_context.h>
 #include <ros_interface/conversion/measure_conversion.h>
 #include <ros_interface/conversion/message_conversion.h>
@@ -33,7 +34,7 @@ ComponentPoses posesOf(const Scene& scene, const std::string& name, double time)
     }
     return posesDuring(scene, {&motion}, time);
   }
-  throw RequestError(Status::NOT_FOUND, "no motion named '" + name + "'");
+  throw cable_variation::NotFound("no motion named '" + name + "'");
 }
 
 std::vector<std::size_t> allMeasures(const Scene& scene) {

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include <cable_variation/envelope/clearance/clearance_skips.h>
+#include <cable_variation/equilibrium/require_converged.h>
 #include <cable_variation/geometry/body/body_distance.h>
 #include <cable_variation/measures/cable_view.h>
 #include <cable_variation/measures/joint_between.h>
@@ -119,8 +120,7 @@ SpotFinder::SpotFinder(const Scene& scene, const Envelope& envelope, const Envel
       options_(clearance_options),
       anchors_(anchors(scene, options)),
       start_(shapes.sample(shapes.designSample(0))) {
-  if (!start_->equilibrium.converged())
-    throw std::runtime_error("clearances: the design has no equilibrium: " + start_->equilibrium.message);
+  requireConverged(start_->equilibrium, "clearances: the design has no equilibrium");
   for (const auto& length : {options_.skip_near_clips, options_.skip_near_joints}) {
     if (length && !(std::isfinite(*length) && *length >= 0.0)) {
       throw std::invalid_argument("clearances: skipped near clips or joints " + std::to_string(*length) +

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include <cable_variation/envelope/clearance/clearance_skips.h>
+#include <cable_variation/equilibrium/require_converged.h>
 #include <cable_variation/geometry/mesh/box.h>
 #include <cable_variation/geometry/tube_distance/part_vicinity.h>
 #include <cable_variation/measures/cable_view.h>
@@ -91,8 +92,7 @@ ClosestSolved::ClosestSolved(const Scene& scene, const EnvelopeOptions& options,
   EquilibriumSolver following = solver;
   const Harness harness = impl_->space.harness(start);
   const Equilibrium equilibrium = following.update(harness);
-  if (!equilibrium.converged())
-    throw std::runtime_error("clearances: the design has no equilibrium: " + equilibrium.message);
+  requireConverged(equilibrium, "clearances: the design has no equilibrium");
   const ComponentPoses components = impl_->space.components(start);
   const std::vector<std::size_t> cables = allOrChosen(options.cables, scene.harness.cables.size(), "cable");
   for (const std::size_t cable : cables) {

@@ -83,7 +83,7 @@ using SampleSolver = std::function<SolvedSample(const EnvelopeSample&)>;
 /// @param solver the design's shape to follow
 /// @param closest what was solved while the envelope was made; null: only samples near the closest places
 /// count Throws std::invalid_argument: a component moves that the envelope is not seen from, skipped lengths
-/// that are no lengths; std::runtime_error: no equilibrium of the design.
+/// that are no lengths; as requireConverged() does: no equilibrium of the design.
 std::vector<EnvelopeClearance> clearances(const Scene& scene, const Envelope& envelope,
                                           const EnvelopeOptions& options, const ComponentParts& parts,
                                           const EquilibriumSolver& solver,

@@ -48,8 +48,8 @@ class BatchOfPhase {
         try {
           followed.shape = reader.read(place, harnesses_[k], followed.equilibrium);
           followed.converged = true;
-        } catch (const std::runtime_error&) {
-          // other stations: followed below
+        } catch (const OtherStations&) {
+          // followed below
         }
       }
       if (followed.converged) {

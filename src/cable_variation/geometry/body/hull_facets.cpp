@@ -13,6 +13,7 @@ extern "C" {
 }
 
 #include <cable_variation/geometry/mesh/box.h>
+#include <cable_variation/util/error.h>
 
 namespace cable_variation {
 namespace {
@@ -21,7 +22,7 @@ namespace {
 class Run {
  public:
   Run() : words_(open_memstream(&text_, &length_)) {
-    if (words_ == nullptr) throw std::runtime_error("convex hull: no memory for messages");
+    if (words_ == nullptr) throw std::bad_alloc();
     qh_zero(&state, words_);
   }
   ~Run() {
@@ -41,8 +42,8 @@ class Run {
     const auto count = static_cast<int>(coordinates.size() / 3);
     if (qh_new_qhull(&state, 3, count, coordinates.data(), False, command, nullptr, words_) != 0) {
       std::fflush(words_);
-      throw std::runtime_error("convex hull of " + std::to_string(count) +
-                               " points: " + std::string(text_, length_));
+      throw InternalError("convex hull of " + std::to_string(count) +
+                          " points: " + std::string(text_, length_));
     }
   }
 
@@ -106,7 +107,7 @@ std::vector<std::array<std::uint32_t, 3>> neighboursOf(
     // Two triangles that run along an edge the same way have no common outside.
     if (!paired || triangles[edges[i].triangle][edges[i].corner] ==
                        triangles[edges[i + 1].triangle][edges[i + 1].corner]) {
-      throw std::runtime_error("convex hull: its facets do not close");
+      throw InternalError("convex hull: its facets do not close");
     }
     neighbours[edges[i].triangle][edges[i].corner] = edges[i + 1].triangle;
     neighbours[edges[i + 1].triangle][edges[i + 1].corner] = edges[i].triangle;

@@ -20,7 +20,7 @@ struct HullFacets {
 /// Throws std::invalid_argument: no points, or one that is not finite.
 void checkHullPoints(const std::vector<Eigen::Vector3d>& points);
 
-/// The surface is closed: each edge has two triangles. Throws std::runtime_error with qhull's own words, for
+/// The surface is closed: each edge has two triangles. Throws InternalError with qhull's own words, for
 /// points without a volume too.
 HullFacets hullFacets(const std::vector<Eigen::Vector3d>& points);
 

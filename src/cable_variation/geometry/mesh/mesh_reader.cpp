@@ -20,6 +20,7 @@
 #include <cable_variation/geometry/mesh/obj_reader.h>
 #include <cable_variation/geometry/mesh/ply_reader.h>
 #include <cable_variation/geometry/mesh/stl_reader.h>
+#include <cable_variation/util/error.h>
 
 namespace cable_variation {
 namespace {
@@ -47,7 +48,7 @@ void keepOnly(const std::string& extension, Assimp::Importer& importer) {
     std::unique_ptr<Assimp::BaseImporter> removed(importer.GetImporter(i));
     if (importer.UnregisterLoader(removed.get()) != aiReturn_SUCCESS) {
       removed.release();
-      throw std::runtime_error("a mesh importer could not be unregistered");
+      throw InternalError("a mesh importer could not be unregistered");
     }
   }
 }

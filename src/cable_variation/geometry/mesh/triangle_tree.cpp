@@ -4,6 +4,7 @@
 #include <string>
 
 #include <cable_variation/geometry/mesh/fcl_model.h>
+#include <cable_variation/util/error.h>
 
 namespace cable_variation {
 namespace {
@@ -33,7 +34,7 @@ void build(const TriangleMesh& mesh, Model& model) {
   triangles.reserve(mesh.triangles.size());
   for (const auto& [a, b, c] : mesh.triangles) triangles.emplace_back(a, b, c);
   if (const int fault = fill(model, mesh.vertices, triangles); fault != fcl::BVH_OK) {
-    throw std::runtime_error("part: FCL cannot build its hierarchy, code " + std::to_string(fault));
+    throw InternalError("part: FCL cannot build its hierarchy, code " + std::to_string(fault));
   }
 }
 
