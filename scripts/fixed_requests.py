@@ -83,7 +83,7 @@ def regions(components):
 
 def simulations(names, measures, motion, duration):
     simulate = 'SimulateVariation'
-    yield service(simulate, 'all, with files', samples=300, seed=7, variables=['*'], sheaf_shapes=5, name='production')
+    yield service(simulate, 'all, with files', samples=300, seed=7, variables=['*'], sample_shapes=5, name='production')
     yield from topics('of a simulation', SOLVER, 'variation', 'legend')
     for sampler in ('latin_hypercube', 'sobol'):
         yield service(simulate, sampler, samples=200, seed=7, variables=['*'], sampler=sampler, show='range',

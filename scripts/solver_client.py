@@ -81,7 +81,7 @@ def call(node, service, kind, accepted=(Status.SUCCESS,), **request):
 
 
 def scene_of(node):
-    """The scene in force; what its file says but hardly means is printed as warnings."""
+    """The scene in force; implausible values in its file are printed as warnings."""
     scene = call(node, 'get_scene', GetScene)
     for warning in scene.warnings:
         print('warning: ' + warning, file=sys.stderr)

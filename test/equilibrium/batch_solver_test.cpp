@@ -221,7 +221,7 @@ void expectIdentical(const Equilibrium& a, const Equilibrium& b) {
       const ShapePoint& q = b.shapes[c].points[i];
       EXPECT_TRUE(p.pose.position == q.pose.position &&
                   p.pose.orientation.coeffs() == q.pose.orientation.coeffs() && p.force == q.force &&
-                  p.moment == q.moment && p.bend == q.bend);
+                  p.moment == q.moment && p.second_derivative == q.second_derivative);
     }
   }
   EXPECT_EQ(a.energy.total(), b.energy.total());

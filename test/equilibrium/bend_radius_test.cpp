@@ -19,7 +19,7 @@ CableShape ellipse(double a, double b, double first) {
     point.arc_length = t;
     point.pose.position = {a * std::cos(t), b * std::sin(t), 0.0};
     point.tangent = {-a * std::sin(t), b * std::cos(t), 0.0};
-    point.bend = {-a * std::cos(t), -b * std::sin(t), 0.0};
+    point.second_derivative = {-a * std::cos(t), -b * std::sin(t), 0.0};
     shape.points.push_back(point);
   }
   return shape;

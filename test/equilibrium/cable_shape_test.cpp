@@ -19,13 +19,14 @@ ShapePoint helixPoint(double s) {
   point.arc_length = s;
   point.pose.position = {kRadius * std::cos(t), kRadius * std::sin(t), kClimb * t};
   point.tangent = Eigen::Vector3d(-kRadius * std::sin(t), kRadius * std::cos(t), kClimb) / per_radian;
-  point.bend = -kRadius / (per_radian * per_radian) * Eigen::Vector3d(std::cos(t), std::sin(t), 0.0);
+  point.second_derivative =
+      -kRadius / (per_radian * per_radian) * Eigen::Vector3d(std::cos(t), std::sin(t), 0.0);
   Eigen::Matrix3d frame;
   frame.col(0) = point.tangent;
-  frame.col(1) = point.bend.normalized();
+  frame.col(1) = point.second_derivative.normalized();
   frame.col(2) = frame.col(0).cross(frame.col(1));
   point.pose.orientation = Eigen::Quaterniond(frame);
-  point.turn = {kClimb / (per_radian * per_radian), 0.0, kRadius / (per_radian * per_radian)};
+  point.darboux = {kClimb / (per_radian * per_radian), 0.0, kRadius / (per_radian * per_radian)};
   return point;
 }
 

@@ -166,7 +166,7 @@ const std::vector<Field>& fields() {
                   Eigen::Vector3d::Constant(p.arc_length)),
       SHAPE_FIELD("position", p.pose.position, p.position),
       SHAPE_FIELD("tangent", p.tangent, p.tangent),
-      SHAPE_FIELD("bend", p.bend, p.bend),
+      SHAPE_FIELD("bend", p.second_derivative, p.second_derivative),
       SHAPE_FIELD("force", p.force, p.force),
       SHAPE_FIELD("moment", p.moment, p.moment),
       SHAPE_FIELD("strain", p.strain, p.strain),

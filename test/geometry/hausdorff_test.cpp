@@ -136,7 +136,7 @@ TEST(CurveHausdorff, AgreesWithBruteForceForWanderingCurves) {
       const CurvePiece::End by = change(s);
       end.position += by.position - Vector3d(s, 0.0, 0.0);
       end.tangent += by.tangent - Vector3d::UnitX();
-      end.bend += by.bend;
+      end.second_derivative += by.second_derivative;
       return end;
     };
     const Centreline a = centreline(base, 0.3, pieces(generator));

@@ -29,7 +29,7 @@ Centreline cable(std::mt19937& random, const Vector3d& by, double wave = 0.1) {
     CurvePiece::End e;
     e.position = by + Vector3d(s, 0.0, 0.0) + amplitude * std::sin(8.0 * s + phase);
     e.tangent = Vector3d::UnitX() + 8.0 * amplitude * std::cos(8.0 * s + phase);
-    e.bend = -64.0 * amplitude * std::sin(8.0 * s + phase);
+    e.second_derivative = -64.0 * amplitude * std::sin(8.0 * s + phase);
     return e;
   };
   Centreline line;

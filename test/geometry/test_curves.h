@@ -58,7 +58,7 @@ inline Curve wandering(std::mt19937& generator, double length, double amplitude)
         const double angle = wave * s + phase(k, axis), scale = size(k, axis) / (1.0 + k);
         end.position[axis] += scale * std::sin(angle);
         end.tangent[axis] += scale * wave * std::cos(angle);
-        end.bend[axis] -= scale * wave * wave * std::sin(angle);
+        end.second_derivative[axis] -= scale * wave * wave * std::sin(angle);
       }
     }
     return end;

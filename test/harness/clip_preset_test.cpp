@@ -41,7 +41,7 @@ std::vector<Preset> presets() {
 double configurationalForce(const ShapePoint& point) {
   const Eigen::Vector3d n = point.pose.orientation.conjugate() * point.force;
   const Eigen::Vector3d m = point.pose.orientation.conjugate() * point.moment;
-  const Eigen::Vector3d rest = point.turn - point.curvature;
+  const Eigen::Vector3d rest = point.darboux - point.curvature;
   return n.x() + 0.5 * n.dot(point.strain) + 0.5 * m.dot(point.curvature) + rest.dot(m);
 }
 

@@ -76,7 +76,7 @@ void checkTwist(const Harness& harness, const Equilibrium& answer, Judgement& ju
     const auto& points = answer.shapes[c].points;
     for (std::size_t i = 1; i < points.size(); ++i) {
       const double h = points[i].arc_length - points[i - 1].arc_length;
-      twist += 0.5 * h * (points[i].turn.x() + points[i - 1].turn.x());
+      twist += 0.5 * h * (points[i].darboux.x() + points[i - 1].darboux.x());
     }
     // what is well less than a turn off is the turn that was asked for; the rest is writhe
     if (std::abs(twist - *harness.cables[c].twist) < 1.5 * M_PI) continue;

@@ -97,7 +97,7 @@ class SimulateVariationTest(NodeTest):
         self.eventually(lambda: told and told[-1].samples > 1000, 'progress')
 
     def test_the_answer_is_whole(self):
-        answer = self.simulate(variables=['*'], samples=2000, sheaf_shapes=5)
+        answer = self.simulate(variables=['*'], samples=2000, sample_shapes=5)
         self.assertSuccess(answer.status)
         self.assertEqual((answer.samples, answer.wanted, answer.seed, answer.sampler), (2000, 2000, 1, 'monte_carlo'))
         self.assertEqual((answer.solved, answer.snapped, answer.not_converged, answer.impossible), (2000, 0, 0, 0))
@@ -154,7 +154,7 @@ class SimulateVariationTest(NodeTest):
             numpy.testing.assert_allclose(axes @ axes.T, numpy.eye(3), atol=1e-9)
 
     def test_the_same_seed_gives_the_same_figures_on_one_thread_and_on_two(self):
-        request = dict(variables=['*'], samples=3000, seed=5, sheaf_shapes=3)
+        request = dict(variables=['*'], samples=3000, seed=5, sample_shapes=3)
         one = self.simulate(**request)
         self.assertSuccess(one.status)
         node, _ = self.solver(threads=2)
@@ -225,7 +225,7 @@ class SimulateVariationTest(NodeTest):
                 (dict(some, confidence=1), Status.INVALID_ARGUMENT, 'confidence: is 1'),
                 (dict(some, sections=1), Status.INVALID_ARGUMENT, 'sections: is 1, expected 2 to 2000'),
                 (dict(some, sections=2001), Status.INVALID_ARGUMENT, 'sections: is 2001'),
-                (dict(some, sheaf_shapes=501), Status.INVALID_ARGUMENT, 'sheaf_shapes: is 501'),
+                (dict(some, sample_shapes=501), Status.INVALID_ARGUMENT, 'sample_shapes: is 501'),
                 (dict(some, show='sigma'), Status.INVALID_ARGUMENT, "show: is 'sigma'"),
                 (dict(some, from_time=1), Status.INVALID_ARGUMENT, 'from_time: is 1'),
                 (dict(some, motions=['sway'], to_time=3), Status.INVALID_ARGUMENT, 'to_time: is 3'),
@@ -245,12 +245,12 @@ class SimulateVariationTest(NodeTest):
         self.assertRefused(answer.status, Status.INVALID_ARGUMENT, "'tail_length'", '-0.005 m')
 
     def test_it_is_shown_until_the_design_changes(self):
-        answer = self.simulate(variables=['*'], samples=200, sheaf_shapes=7, sections=21)
+        answer = self.simulate(variables=['*'], samples=200, sample_shapes=7, sections=21)
         self.assertSuccess(answer.status)
         self.assertEqual(self.namespaces(), {'variation/strand', 'variation_shapes/strand'})
-        sheaf = self.markers()['variation_shapes/strand', 0]
-        self.assertEqual((sheaf.type, len(sheaf.points)), (Marker.LINE_LIST, 7 * 20 * 2))
-        self.assertTrue(0 < sheaf.color.a < 1)
+        lines = self.markers()['variation_shapes/strand', 0]
+        self.assertEqual((lines.type, len(lines.points)), (Marker.LINE_LIST, 7 * 20 * 2))
+        self.assertTrue(0 < lines.color.a < 1)
         legend = self.legend()
         self.assertEqual((legend.unit, legend.samples, legend.topic), ('mm', 200, '/cable_solver/variation'))
         self.assertIn('6 sigma', legend.quantity)

@@ -58,8 +58,8 @@ Equilibrium quarterCircle() {
     point.pose.position = 0.2 * Eigen::Vector3d(std::sin(angle), 1.0 - std::cos(angle), 0.0);
     point.pose.orientation = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ());
     point.tangent = point.pose.orientation * Eigen::Vector3d::UnitX();
-    point.bend = point.pose.orientation * Eigen::Vector3d(0.0, 5.0, 0.0);
-    point.turn = {0.0, 0.0, 5.0};
+    point.second_derivative = point.pose.orientation * Eigen::Vector3d(0.0, 5.0, 0.0);
+    point.darboux = {0.0, 0.0, 5.0};
     point.force = {1.0, 2.0, i * 1.0};
     point.moment = {4.0, 5.0, i * 2.0};
     point.strain = {7.0, 8.0, i * 3.0};

@@ -1,4 +1,5 @@
-// Production seen: colours by the variation along each cable, a sheaf of shapes, a legend that tells both.
+// Production seen: colours by the variation along each cable, sample shapes as lines, a legend that tells
+// both.
 #include <ros_interface/markers/simulation_markers.h>
 
 #include <gtest/gtest.h>

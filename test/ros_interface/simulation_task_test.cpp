@@ -80,8 +80,8 @@ TEST_F(SimulationTaskTest, WhatTakesMoreMemoryThanAllowedIsRefused) {
   EXPECT_NE(refusal().find("sections: is 2000"), std::string::npos) << refusal();
   request_.sections = 300;
   EXPECT_EQ(refusal(), "");
-  request_.sheaf_shapes = 500;
-  EXPECT_NE(refusal().find("sheaf_shapes: is 500"), std::string::npos) << refusal();
+  request_.sample_shapes = 500;
+  EXPECT_NE(refusal().find("sample_shapes: is 500"), std::string::npos) << refusal();
   EXPECT_NE(refusal().find("would take 5.2 GB, allowed are 500 MB"), std::string::npos) << refusal();
   memory_limit_ = 1.1e10;
   EXPECT_EQ(refusal(), "");
@@ -101,7 +101,7 @@ TEST_F(SimulationTaskTest, FieldsArriveWhereTheyBelong) {
   request_.from_time = 1.0;
   request_.to_time = 1.5;
   request_.sections = 9;
-  request_.sheaf_shapes = 10;
+  request_.sample_shapes = 10;
   request_.show = "range";
   request_.name = "run_1";
   design_.shifted = {{"turn", 0.3}, {"length", 0.01}};
@@ -166,7 +166,7 @@ TEST_F(SimulationTaskTest, BadFieldsAreNamedWithTheirValue) {
       {[](auto& r) { r.sampler = "halton"; }, "'halton'"},
       {[](auto& r) { r.sections = 1; }, "sections: is 1, expected 2 to 2000"},
       {[](auto& r) { r.sections = 2001; }, "sections: is 2001"},
-      {[](auto& r) { r.sheaf_shapes = 501; }, "sheaf_shapes: is 501, expected at most 500"},
+      {[](auto& r) { r.sample_shapes = 501; }, "sample_shapes: is 501, expected at most 500"},
       {[](auto& r) { r.show = "sigma"; }, "show: is 'sigma'"},
       {[](auto& r) { r.motions = {"walk"}; }, "no motion named 'walk'"},
       {[](auto& r) { r.from_time = 1.0; }, "from_time: is 1"},

@@ -1,4 +1,4 @@
-// What an edit of a design hardly means is told, and what it may mean is not.
+// Implausible edits of a design are warned of, plausible ones are not.
 #include <cable_variation/scene/design_slips.h>
 
 #include <random>

@@ -1,4 +1,4 @@
-// What a scene says but hardly means is told, and what it may mean is not.
+// Implausible values in a scene are warned of, plausible ones are not.
 #include <cable_variation/scene_file/scene_reader.h>
 
 #include <filesystem>

@@ -16,8 +16,8 @@ namespace cable_variation {
 namespace {
 
 // Steps within which Newton's method is trusted, over the longest cable and in radians; as minimise().
-constexpr double kLargestShift = 0.25;
-constexpr double kLargestTurn = 0.7;
+constexpr double kLargestDisplacement = 0.25;
+constexpr double kLargestRotation = 0.7;
 // A harness whose last step with a Hessian of its own was larger is not near enough for steps with that one.
 constexpr double kNear = 1e-3;
 // Steps, likewise, after which the error left is below 1e-8 of the cable: one with a new Hessian leaves
@@ -26,8 +26,8 @@ constexpr double kFinalNewtonStep = 1e-5;
 constexpr double kFinalStep = 3e-9;
 constexpr double kFinalResidual = 1e3;
 // What an equilibrium may be off the prediction even when that is no motion at all.
-constexpr double kFreeShift = 0.02;
-constexpr double kFreeTurn = 0.1;
+constexpr double kFreeDisplacement = 0.02;
+constexpr double kFreeRotation = 0.1;
 // As EquilibriumSolver bears.
 constexpr double kLargestStretch = 0.1;
 // The share of the accuracy that the nominal shape is brought to, since others on its grid are less accurate.
@@ -49,9 +49,9 @@ bool any(const LaneSystem::Flags& flags) {
 
 // How a harness comes to its equilibrium.
 struct Path {
-  double predicted_shift = 0.0, predicted_turn = 0.0;
-  double shift = 0.0, turn = 0.0;  // corrections, summed up
-  double last_shift = INFINITY, last_turn = INFINITY;
+  double predicted_displacement = 0.0, predicted_rotation = 0.0;
+  double displacement = 0.0, rotation = 0.0;  // corrections, summed up
+  double last_displacement = INFINITY, last_rotation = INFINITY;
   bool newton = false;  // the last step had a Hessian of its own
 };
 
@@ -163,10 +163,10 @@ void BatchSolver::Lanes::predict(const Harness* harnesses) {
   system.move(active, true);
   for (std::size_t i = 0; i < count; ++i) {
     paths[i] = {};
-    paths[i].predicted_shift = system.shift()[i];
-    paths[i].predicted_turn = system.turn()[i];
-    active[i] =
-        active[i] && system.shift()[i] < kLargestShift * nominal.length && system.turn()[i] < kLargestTurn;
+    paths[i].predicted_displacement = system.displacement()[i];
+    paths[i].predicted_rotation = system.rotation()[i];
+    active[i] = active[i] && system.displacement()[i] < kLargestDisplacement * nominal.length &&
+                system.rotation()[i] < kLargestRotation;
   }
 }
 
@@ -200,15 +200,16 @@ void BatchSolver::Lanes::follow(const Plan& plan) {
 void BatchSolver::Lanes::judgeStep(std::size_t lane, int step, const Plan& plan) {
   Path& path = paths[lane];
   ++outcomes[lane].iterations;
-  const double before = std::max(path.last_shift / nominal.length, path.last_turn);
-  path.last_shift = system.shift()[lane];
-  path.last_turn = system.turn()[lane];
+  const double before = std::max(path.last_displacement / nominal.length, path.last_rotation);
+  path.last_displacement = system.displacement()[lane];
+  path.last_rotation = system.rotation()[lane];
   path.newton = hessian;
-  path.shift += path.last_shift;
-  path.turn += path.last_turn;
-  const double size = std::max(path.last_shift / nominal.length, path.last_turn);
+  path.displacement += path.last_displacement;
+  path.rotation += path.last_rotation;
+  const double size = std::max(path.last_displacement / nominal.length, path.last_rotation);
   const bool far = plan.patient ? step > 1 && !(size < before) : step == plan.hessians && size > kNear;
-  const bool trusted = path.last_shift < kLargestShift * nominal.length && path.last_turn < kLargestTurn;
+  const bool trusted =
+      path.last_displacement < kLargestDisplacement * nominal.length && path.last_rotation < kLargestRotation;
   active[lane] = trusted && !far;
   waiting[lane] = trusted && far && !plan.patient;
 }
@@ -219,10 +220,10 @@ bool BatchSolver::Lanes::arrive(std::size_t lane) {
   BatchOutcome& outcome = outcomes[lane];
   outcome.residual = system.residual()[lane];
   const double largest = path.newton ? kFinalNewtonStep : kFinalStep;
-  const bool final = path.last_shift < largest * nominal.length && path.last_turn < largest;
+  const bool final = path.last_displacement < largest * nominal.length && path.last_rotation < largest;
   if (!(outcome.residual <= (final ? kFinalResidual : 1.0) * nominal.tolerance)) return false;
-  if (path.shift > path.predicted_shift + kFreeShift * nominal.length ||
-      path.turn > path.predicted_turn + kFreeTurn) {
+  if (path.displacement > path.predicted_displacement + kFreeDisplacement * nominal.length ||
+      path.rotation > path.predicted_rotation + kFreeRotation) {
     outcome.status = BatchStatus::departed;
   } else if (!(system.largestStretch(static_cast<int>(lane)) <= kLargestStretch)) {
     outcome.status = BatchStatus::overstretched;
@@ -253,7 +254,8 @@ void BatchSolver::Lanes::judgeGrid() {
   for (std::size_t i = 0; i < count; ++i) {
     if (!solved[i]) continue;
     const bool positive = merged.negativePivots()[i] == 0;
-    outcomes[i].discretisation_error = positive ? errorOfFiner(merged.shift()[i], nominal.length) : INFINITY;
+    outcomes[i].discretisation_error =
+        positive ? errorOfFiner(merged.displacement()[i], nominal.length) : INFINITY;
     if (!(outcomes[i].discretisation_error <= nominal.accuracy)) outcomes[i].status = BatchStatus::too_coarse;
   }
 }

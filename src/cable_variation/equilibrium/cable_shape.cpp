@@ -32,17 +32,17 @@ Eigen::Quaterniond orientation(const Piece& piece) {
   const double t = piece.t;
   const double t2 = t * t, t3 = t2 * t;
   const Eigen::Vector3d turn = so3::log(piece.a.pose.orientation.conjugate() * piece.b.pose.orientation);
-  const Eigen::Vector3d last = so3::rightJacobian(turn).partialPivLu().solve(piece.b.turn);
+  const Eigen::Vector3d last = so3::rightJacobian(turn).partialPivLu().solve(piece.b.darboux);
   const Eigen::Vector3d rotation =
-      h * (t3 - 2.0 * t2 + t) * piece.a.turn + (3.0 * t2 - 2.0 * t3) * turn + h * (t3 - t2) * last;
+      h * (t3 - 2.0 * t2 + t) * piece.a.darboux + (3.0 * t2 - 2.0 * t3) * turn + h * (t3 - t2) * last;
   return (piece.a.pose.orientation * so3::exp(rotation)).normalized();
 }
 
 }  // namespace
 
 CurvePiece curveBetween(const ShapePoint& a, const ShapePoint& b) {
-  return {{a.pose.position, a.tangent, a.bend},
-          {b.pose.position, b.tangent, b.bend},
+  return {{a.pose.position, a.tangent, a.second_derivative},
+          {b.pose.position, b.tangent, b.second_derivative},
           b.arc_length - a.arc_length};
 }
 

@@ -15,9 +15,9 @@ struct ShapePoint {
   double arc_length = 0.0;  ///< undeformed [m]
   Pose pose;                ///< section frame in the world, x the director normal to the section
   Eigen::Vector3d tangent = Eigen::Vector3d::Zero();  ///< ∂φ/∂s, world; its length is the stretch
-  Eigen::Vector3d bend = Eigen::Vector3d::Zero();     ///< ∂²φ/∂s², world [1/m]
-  Eigen::Vector3d turn =
-      Eigen::Vector3d::Zero();  ///< Ω, how the section frame turns along s, section frame [1/m]
+  Eigen::Vector3d second_derivative = Eigen::Vector3d::Zero();  ///< ∂²φ/∂s², world [1/m]
+  Eigen::Vector3d darboux = Eigen::Vector3d::Zero();  ///< Ω, Darboux vector: rate of rotation of the section
+                                                      ///< frame along s, in it [1/m]
   Eigen::Vector3d force =
       Eigen::Vector3d::Zero();  ///< section force, of the part s+ on the part s- [N], world
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< section moment, likewise [N m], world

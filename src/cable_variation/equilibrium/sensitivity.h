@@ -12,15 +12,15 @@ namespace cable_variation {
 /// its share of the piece of cable between two stations (ends, clips, joints,
 /// loads, steps), so its arc length changes with theirs.
 struct ShapePointRate {
-  double arc_length = 0.0;                              ///< [m]
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();   ///< [m], world
-  Eigen::Vector3d rotation = Eigen::Vector3d::Zero();   ///< rotation vector of the section [rad], world
-  Eigen::Vector3d tangent = Eigen::Vector3d::Zero();    ///< of ShapePoint::tangent
-  Eigen::Vector3d bend = Eigen::Vector3d::Zero();       ///< of ShapePoint::bend [1/m]
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();      ///< of ShapePoint::force [N]
-  Eigen::Vector3d moment = Eigen::Vector3d::Zero();     ///< of ShapePoint::moment [N m]
-  Eigen::Vector3d strain = Eigen::Vector3d::Zero();     ///< of ShapePoint::strain
-  Eigen::Vector3d curvature = Eigen::Vector3d::Zero();  ///< of ShapePoint::curvature [1/m]
+  double arc_length = 0.0;                             ///< [m]
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< [m], world
+  Eigen::Vector3d rotation = Eigen::Vector3d::Zero();  ///< rotation vector of the section [rad], world
+  Eigen::Vector3d tangent = Eigen::Vector3d::Zero();   ///< of ShapePoint::tangent
+  Eigen::Vector3d second_derivative = Eigen::Vector3d::Zero();  ///< of ShapePoint::second_derivative [1/m]
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();              ///< of ShapePoint::force [N]
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();             ///< of ShapePoint::moment [N m]
+  Eigen::Vector3d strain = Eigen::Vector3d::Zero();             ///< of ShapePoint::strain
+  Eigen::Vector3d curvature = Eigen::Vector3d::Zero();          ///< of ShapePoint::curvature [1/m]
 };
 
 /// First-order change of a Reaction per unit of a variable.

@@ -8,7 +8,8 @@ namespace cable_variation {
 
 CurvePiece::CurvePiece(const End& a, const End& b, double length) {
   const Eigen::Vector3d first_a = length * a.tangent, first_b = length * b.tangent;
-  const Eigen::Vector3d second_a = length * length * a.bend, second_b = length * length * b.bend;
+  const Eigen::Vector3d second_a = length * length * a.second_derivative,
+                        second_b = length * length * b.second_derivative;
   const Eigen::Vector3d chord = b.position - a.position;
   coefficients_ = {a.position,
                    first_a,

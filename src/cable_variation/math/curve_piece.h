@@ -12,7 +12,7 @@ class CurvePiece {
  public:
   /// An end: position [m], and its derivatives over arc length [1], [1/m].
   struct End {
-    Eigen::Vector3d position, tangent, bend;
+    Eigen::Vector3d position, tangent, second_derivative;
   };
 
   /// From a to b over an arc length of `length` > 0 [m].

@@ -41,8 +41,10 @@ CurvePiece CableView::curveRate(std::size_t piece, const CableRates& rates) cons
   const ShapePointRate &da = start(piece, rates), &db = end(piece, rates);
   const double length = pieces_[piece].length;
   const double stretch = (db.arc_length - da.arc_length) / length;
-  return {{da.position, da.tangent + stretch * a.tangent, da.bend + 2.0 * stretch * a.bend},
-          {db.position, db.tangent + stretch * b.tangent, db.bend + 2.0 * stretch * b.bend},
+  return {{da.position, da.tangent + stretch * a.tangent,
+           da.second_derivative + 2.0 * stretch * a.second_derivative},
+          {db.position, db.tangent + stretch * b.tangent,
+           db.second_derivative + 2.0 * stretch * b.second_derivative},
           length};
 }
 

@@ -79,7 +79,7 @@ Centreline shifted(const CableView& view, const CableRates& rates, double step) 
   Centreline line;
   const auto curveEnd = [&](const ShapePoint& point, const ShapePointRate& rate) {
     return CurvePiece::End{point.pose.position + step * rate.position, point.tangent + step * rate.tangent,
-                           point.bend + step * rate.bend};
+                           point.second_derivative + step * rate.second_derivative};
   };
   for (std::size_t i = 0; i < view.pieces().size(); ++i) {
     const PlaceRate start = view.rate({i, 0.0}, rates), end = view.rate({i, 1.0}, rates);

@@ -10,7 +10,7 @@ namespace cable_variation {
 /// A self-contained page (well-formed XHTML, which every browser reads as HTML too): warnings, contents, then
 /// the sections in order. Nothing is loaded from elsewhere; prints on A4.
 /// @param about lines under the title: scene, date, what was asked for
-/// @param warnings of all that follows, such as what the scene says but hardly means
+/// @param warnings of all that follows, such as implausible values in the scene
 std::string reportPage(const std::string& title, const std::vector<std::string>& about,
                        const std::vector<std::string>& warnings, const std::vector<ReportSection>& sections);
 

@@ -7,7 +7,7 @@
 
 namespace cable_variation {
 
-// What an edit of a design can hardly mean: as of a scene file's figures without a unit.
+// Implausible edits of a design, judged as a scene file's figures without a unit.
 
 /// Of the design as a whole: cables that are too long, too thick, too stiff or too heavy for what they are,
 /// clips out of their reach, variables that shift or turn by more than anybody means. Each names the thing

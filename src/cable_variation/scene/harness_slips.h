@@ -9,7 +9,7 @@
 
 namespace cable_variation {
 
-// What a harness can hardly mean, wherever its figures come from. Texts name the values and what was
+// Implausible values in a harness, wherever its figures come from. Texts name the values and what was
 // probably meant; empty: nothing to say.
 
 extern const Range kPlausibleStretchModulus;  ///< EA per area [Pa]; little for coiled cords

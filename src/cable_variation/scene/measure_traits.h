@@ -27,7 +27,7 @@ struct MeasureTraits {
     larger,                ///< in magnitude
     further_from_nominal,  ///< from the design's value at the start of a motion
   };
-  /// A limit without a unit that was hardly meant, of which the reader warns.
+  /// A limit without a unit that is implausible, of which the reader warns.
   enum class UnlikelyLimit {
     none,
     longer_than_cables,  ///< in mm?

@@ -112,7 +112,7 @@ struct Scene {
   std::vector<Correlation> correlations;
   std::vector<Measure> measures;
   std::vector<Motion> motions;
-  std::vector<SceneFault> warnings;  ///< what is hardly meant like that: most often a unit that was left out
+  std::vector<SceneFault> warnings;  ///< implausible values: most often a unit that was left out
 };
 
 /// Poses of components in the world that differ from the scene's own (moved by tf or a motion).

@@ -7,7 +7,7 @@
 
 namespace cable_variation {
 
-/// The faults met while one scene file is read, and what is possible but hardly meant.
+/// The faults met while one scene file is read, and what is possible but implausible.
 class FaultList {
  public:
   explicit FaultList(std::string file) : file_(std::move(file)) {}

@@ -7,7 +7,7 @@
 
 namespace cable_variation {
 
-/// Warns of what a scene without faults says but can hardly mean: a figure in another
+/// Warns of implausible values in a scene without faults: a figure in another
 /// unit than it seems to be in, most often. `root` is the file that `scene` was read from.
 /// Each warning names the thing and the value, and what was probably meant.
 void warnOfSlips(const YamlCursor& root, const Scene& scene);

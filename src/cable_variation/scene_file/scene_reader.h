@@ -20,7 +20,7 @@ class SceneError : public std::invalid_argument {
   std::vector<SceneFault> faults_;
 };
 
-/// Reads and checks a scene file (YAML); Scene::warnings has what is possible but hardly meant. Throws
+/// Reads and checks a scene file (YAML); Scene::warnings has what is possible but implausible. Throws
 /// SceneError.
 Scene readScene(const std::string& path, const PackageFinder& find_package);
 

@@ -30,7 +30,7 @@ struct JointPosition {
 /// `joint_positions` by name and else at 0; mimic joints follow.
 /// What is wrong is appended to `faults`: the file itself, links that make no tree, a floating or planar
 /// joint, a position out of the joint's limits or of no movable joint, a mesh,
-/// a primitive's size; what is hardly meant to `warnings`.
+/// a primitive's size; implausible values go to `warnings`.
 std::vector<Visual> readUrdf(const std::string& path,
                              const std::map<std::string, JointPosition>& joint_positions,
                              const MeshLoader& load_mesh, std::vector<std::string>& faults,

@@ -31,7 +31,7 @@ class YamlCursor {
 
   /// Adds "label: message" at this line.
   void fail(const std::string& message) const;
-  /// Likewise, of what is possible but hardly meant.
+  /// Likewise, of what is possible but implausible.
   void warn(const std::string& message) const;
 
   /// Whether this is a map; unknown and repeated keys are faults.

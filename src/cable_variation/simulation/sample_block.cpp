@@ -8,11 +8,12 @@ namespace cable_variation {
 
 void SampleFigures::merge(SampleFigures&& later) {
   measures.merge(later.measures);
-  for (std::size_t pose = 0; pose < arcs.size(); ++pose) {
-    for (std::size_t cable = 0; cable < arcs[pose].size(); ++cable)
-      arcs[pose][cable].merge(later.arcs[pose][cable]);
-    std::move(later.shapes[pose].begin(), later.shapes[pose].end(), std::back_inserter(shapes[pose]));
-    worst[pose] += later.worst[pose];
+  for (std::size_t instant = 0; instant < arcs.size(); ++instant) {
+    for (std::size_t cable = 0; cable < arcs[instant].size(); ++cable)
+      arcs[instant][cable].merge(later.arcs[instant][cable]);
+    std::move(later.shapes[instant].begin(), later.shapes[instant].end(),
+              std::back_inserter(shapes[instant]));
+    worst[instant] += later.worst[instant];
   }
   solved_again += later.solved_again;
   undecided += later.undecided;
@@ -20,17 +21,17 @@ void SampleFigures::merge(SampleFigures&& later) {
 }
 
 BlockWorker::BlockWorker(const Scene& scene, const std::vector<std::size_t>& measures, const Sampler& sampler,
-                         const Poses& poses, const SampleFigures& empty, std::uint64_t kept_shapes)
+                         const Instants& instants, const SampleFigures& empty, std::uint64_t kept_shapes)
     : scene_(&scene),
       measures_(&measures),
       sampler_(&sampler),
-      poses_(&poses),
+      instants_(&instants),
       empty_(&empty),
       kept_shapes_(kept_shapes),
       linear_(measures.size()),
-      at_(PoseWorker::kSamples, std::vector<std::size_t>(measures.size())) {
-  workers_.reserve(poses.size());
-  for (const auto& pose : poses) workers_.emplace_back(*pose);
+      at_(InstantSolver::kSamples, std::vector<std::size_t>(measures.size())) {
+  workers_.reserve(instants.size());
+  for (const auto& instant : instants) workers_.emplace_back(*instant);
 }
 
 SampleBlock BlockWorker::start(std::uint64_t first, std::size_t count) const {
@@ -49,50 +50,50 @@ SampleBlock BlockWorker::start(std::uint64_t first, std::size_t count) const {
 void BlockWorker::solveSome(SampleBlock& block, std::size_t at, std::size_t count) {
   const Eigen::MatrixXd deviations =
       block.deviations.middleCols(static_cast<Eigen::Index>(at), static_cast<Eigen::Index>(count));
-  for (std::size_t pose = 0; pose < workers_.size(); ++pose) {
-    const auto& solved = workers_[pose].solve(deviations);
+  for (std::size_t instant = 0; instant < workers_.size(); ++instant) {
+    const auto& solved = workers_[instant].solve(deviations);
     for (std::size_t i = 0; i < count; ++i) {
       SampleOutcome& outcome = block.outcomes[at + i];
       outcome = std::max(outcome, solved[i].outcome);
       block.figures.solved_again += solved[i].solved_again ? 1 : 0;
       if (!hasValues(solved[i].outcome)) continue;
       block.figures.undecided += solved[i].undecided ? 1 : 0;
-      takeWorst(block, at + i, pose, solved[i]);
-      addShapes(block, at + i, pose, solved[i]);
+      takeWorst(block, at + i, instant, solved[i]);
+      addShapes(block, at + i, instant, solved[i]);
       block.figures.discretisation_error =
           std::max(block.figures.discretisation_error, solved[i].discretisation_error);
     }
   }
-  const bool one_pose = workers_.size() == 1;
+  const bool one_instant = workers_.size() == 1;
   for (std::size_t i = at; i < at + count; ++i) {
     const double* sample = block.deviations.col(static_cast<Eigen::Index>(i)).data();
     const double* values = block.values.col(static_cast<Eigen::Index>(i)).data();
-    if (one_pose) poses_->front()->predict(sample, linear_.data());
+    if (one_instant) instants_->front()->predict(sample, linear_.data());
     block.figures.measures.add(block.first + i, block.outcomes[i], sample, values,
-                               one_pose ? linear_.data() : nullptr);
+                               one_instant ? linear_.data() : nullptr);
     const bool has_values = hasValues(block.outcomes[i]);
-    for (const std::size_t pose : at_[i - at]) block.figures.worst[pose] += has_values ? 1 : 0;
+    for (const std::size_t instant : at_[i - at]) block.figures.worst[instant] += has_values ? 1 : 0;
   }
 }
 
-void BlockWorker::takeWorst(SampleBlock& block, std::size_t sample, std::size_t pose,
-                            const PoseSample& solved) {
+void BlockWorker::takeWorst(SampleBlock& block, std::size_t sample, std::size_t instant,
+                            const SampleSolution& solved) {
   for (std::size_t m = 0; m < measures_->size(); ++m) {
     const Measure& measure = scene_->measures[(*measures_)[m]];
-    const double nominal = poses_->front()->linear().values[m].value;
+    const double nominal = instants_->front()->linear().values[m].value;
     double& value = block.values(static_cast<Eigen::Index>(m), static_cast<Eigen::Index>(sample));
-    if (pose > 0 && !isWorse(measure, nominal, solved.values[m], value)) continue;
+    if (instant > 0 && !isWorse(measure, nominal, solved.values[m], value)) continue;
     value = solved.values[m];
-    at_[sample % PoseWorker::kSamples][m] = pose;
+    at_[sample % InstantSolver::kSamples][m] = instant;
   }
 }
 
-void BlockWorker::addShapes(SampleBlock& block, std::size_t sample, std::size_t pose,
-                            const PoseSample& solved) const {
+void BlockWorker::addShapes(SampleBlock& block, std::size_t sample, std::size_t instant,
+                            const SampleSolution& solved) const {
   for (std::size_t cable = 0; cable < solved.points.size(); ++cable)
-    block.figures.arcs[pose][cable].add(solved.points[cable]);
+    block.figures.arcs[instant][cable].add(solved.points[cable]);
   const std::uint64_t index = block.first + sample;
-  if (index < kept_shapes_) block.figures.shapes[pose].push_back({index, solved.outcome, solved.points});
+  if (index < kept_shapes_) block.figures.shapes[instant].push_back({index, solved.outcome, solved.points});
 }
 
 }  // namespace cable_variation

@@ -187,22 +187,22 @@ class Simulator {
     }
     EquilibriumSolver solver = solver_;
     for (const double time : times) {
-      poses_.push_back(std::make_unique<const SimulatedPose>(space_, options_, options_.measures, evaluator_,
-                                                             options_.sections, solver, time));
-      solver = poses_.back()->solver();
+      instants_.push_back(std::make_unique<const DesignInstant>(space_, options_, options_.measures,
+                                                                evaluator_, options_.sections, solver, time));
+      solver = instants_.back()->solver();
     }
   }
 
   void prepareFigures() {
     figures_ = std::make_unique<SampleFigures>(SampleFigures{
         SimulationAccumulator(scene_, options_.variables, options_.measures), {}, {}, {}, 0, 0.0});
-    for (const auto& pose : poses_) {
+    for (const auto& instant : instants_) {
       figures_->arcs.emplace_back();
       for (std::size_t cable = 0; cable < scene_.harness.cables.size(); ++cable)
-        figures_->arcs.back().emplace_back(options_.sections, pose->axes(cable));
+        figures_->arcs.back().emplace_back(options_.sections, instant->axes(cable));
     }
-    figures_->shapes.resize(poses_.size());
-    figures_->worst.resize(poses_.size());
+    figures_->shapes.resize(instants_.size());
+    figures_->worst.resize(instants_.size());
     empty_ = std::make_unique<const SampleFigures>(*figures_);
   }
 
@@ -220,7 +220,7 @@ class Simulator {
   void solve(std::uint64_t end) {
     std::uint64_t next = figures_->measures.samples();
     tbb::enumerable_thread_specific<BlockWorker> workers([&] {
-      return BlockWorker(scene_, options_.measures, sampler_, poses_, *empty_, options_.kept_shapes);
+      return BlockWorker(scene_, options_.measures, sampler_, instants_, *empty_, options_.kept_shapes);
     });
     using Pointer = std::shared_ptr<SampleBlock>;
     bool whole = true;  // no block was left
@@ -262,17 +262,17 @@ class Simulator {
 
   SimulationStatistics statistics() const {
     SimulationStatistics statistics = figures_->measures.statistics(
-        options_.confidence,
-        poses_.size() == 1 ? poses_.front()->linearMoments() : std::vector<std::optional<LinearMoments>>());
+        options_.confidence, instants_.size() == 1 ? instants_.front()->linearMoments()
+                                                   : std::vector<std::optional<LinearMoments>>());
     statistics.sampler = options_.sampler;
     statistics.seed = options_.seed;
     statistics.wanted = options_.samples;
     for (std::size_t i = 0; i < options_.measures.size(); ++i) {
       const Measure& measure = scene_.measures[options_.measures[i]];
-      const double first = poses_.front()->linear().values[i].value;
+      const double first = instants_.front()->linear().values[i].value;
       double nominal = first;
-      for (const auto& pose : poses_) {
-        const double value = pose->linear().values[i].value;
+      for (const auto& instant : instants_) {
+        const double value = instant->linear().values[i].value;
         if (isWorse(measure, first, value, nominal)) nominal = value;
       }
       statistics.nominal.push_back(nominal);
@@ -292,25 +292,25 @@ class Simulator {
         result_.statistics.wanted = result_.statistics.samples;
       }
     }
-    std::vector<std::vector<std::vector<SectionVariation>>> sections;  // per pose and cable
+    std::vector<std::vector<std::vector<SectionVariation>>> sections;  // per instant and cable
     std::size_t shown = 0;
-    for (std::size_t pose = 0; pose < poses_.size(); ++pose) {
+    for (std::size_t instant = 0; instant < instants_.size(); ++instant) {
       double largest = 0.0;
       sections.emplace_back();
-      for (const ArcVariation& arc : figures_->arcs[pose]) {
+      for (const ArcVariation& arc : figures_->arcs[instant]) {
         sections.back().push_back(arc.variation());
         for (const SectionVariation& section : sections.back().back())
           largest = std::max(largest, 6.0 * section.axes.sigma[0]);
       }
-      result_.times.push_back({poses_[pose]->time(), largest, figures_->worst[pose]});
-      if (largest > result_.times[shown].largest_6s) shown = pose;
+      result_.times.push_back({instants_[instant]->time(), largest, figures_->worst[instant]});
+      if (largest > result_.times[shown].largest_6s) shown = instant;
     }
-    const SimulatedPose& pose = *poses_[shown];
-    result_.shown_time = pose.time();
-    result_.linear = pose.linear();
-    result_.harness = pose.harness();
+    const DesignInstant& instant = *instants_[shown];
+    result_.shown_time = instant.time();
+    result_.linear = instant.linear();
+    result_.harness = instant.harness();
     for (std::size_t cable = 0; cable < sections[shown].size(); ++cable)
-      result_.cables.push_back({cable, pose.arcLengths(cable), std::move(sections[shown][cable])});
+      result_.cables.push_back({cable, instant.arcLengths(cable), std::move(sections[shown][cable])});
     result_.shapes = std::move(figures_->shapes[shown]);
     result_.solved_again = figures_->solved_again;
     result_.discretisation_error = figures_->discretisation_error;
@@ -330,7 +330,7 @@ class Simulator {
       if (!(result_.missed[i] > (std::isnan(sigma) ? 0.0 : kMissed * sigma))) continue;
       const Measure& measure = scene_.measures[options_.measures[i]];
       warn(measure.name, " may be up to ", result_.missed[i], " ", measure.unit,
-           " worse at other times of the motion than at the ", poses_.size(), " looked at");
+           " worse at other times of the motion than at the ", instants_.size(), " looked at");
     }
     for (std::size_t i = 0; i < unknown_.size(); ++i) {
       if (unknown_[i] == 0) continue;
@@ -354,7 +354,7 @@ class Simulator {
   const EquilibriumSolver& solver_;
   const SampleReceiver& receiver_;
   Watch watch_;
-  BlockWorker::Poses poses_;
+  BlockWorker::Instants instants_;
   std::vector<std::size_t> unknown_;  // see WorstTimes, as is the next
   std::size_t phases_ = 0;
   std::unique_ptr<SampleFigures> figures_;

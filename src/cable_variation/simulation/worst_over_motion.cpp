@@ -95,7 +95,7 @@ class Search {
     Eigen::MatrixXd reached = Eigen::MatrixXd::Constant(worst_.rows(), worst_.cols(), kNone);
     for (Where next = mostOften(); result.times.size() < most;) {
       result.times.push_back(next.time);
-      reached = reached.cwiseMax(badnessAt(next));
+      reached = reached.cwiseMax(severityAt(next));
       Eigen::Index row = 0, column = 0;
       if (!(inSpreads(missedBy(reached)).maxCoeff(&row, &column) > kNegligible)) break;
       next = worst_at_[static_cast<std::size_t>(row + column * worst_.rows())];
@@ -146,7 +146,7 @@ class Search {
     worst_at_.resize(static_cast<std::size_t>(worst_.size()));
     for (std::size_t m = 0; m < models_.size(); ++m) {
       for (const double time : models_[m].phase.times) {
-        const Eigen::MatrixXd at = badnessAt({m, time});
+        const Eigen::MatrixXd at = severityAt({m, time});
         for (Eigen::Index k = 0; k < at.size(); ++k) {
           if (!(at(k) > worst_(k))) continue;
           worst_(k) = at(k);
@@ -174,8 +174,8 @@ class Search {
     return count > 0.0 ? std::sqrt(squares / count) : 0.0;
   }
 
-  // Badness of every trial and measure: rows measures, columns trials.
-  Eigen::MatrixXd badnessAt(const Where& where) const {
+  // Severity of every trial and measure: rows measures, columns trials.
+  Eigen::MatrixXd severityAt(const Where& where) const {
     const PhaseModel& model = models_[where.model];
     const Eigen::VectorXd moved = space_.coordinates(space_.designAt(where.time), model.phase.reference);
     const Eigen::Index variables = trials_.rows();
@@ -187,7 +187,7 @@ class Search {
       if (traitsOf(measure.type).from_nominal)
         bad.row(i) = model.jacobian.row(i).head(variables).cwiseAbs() * trials_.cwiseAbs();
       for (Eigen::Index j = 0; j < bad.cols(); ++j) {
-        const double known = badness(measure, nominal_[i], bad(i, j));
+        const double known = severity(measure, nominal_[i], bad(i, j));
         bad(i, j) = std::isnan(known) ? kNone : known;
       }
     }
@@ -213,14 +213,14 @@ class Search {
   Eigen::MatrixXd trials_;  // variables by trials
   std::vector<PhaseModel> models_;
   Eigen::VectorXd nominal_;  // positions are judged against: at the start
-  Eigen::MatrixXd worst_;    // badness over the motion: measures by trials
+  Eigen::MatrixXd worst_;    // severity over the motion: measures by trials
   std::vector<Where> worst_at_;
   Eigen::VectorXd scale_;
 };
 
 }  // namespace
 
-double badness(const Measure& measure, double nominal, double value) {
+double severity(const Measure& measure, double nominal, double value) {
   if (measure.lower || measure.upper) {
     double beyond = -std::numeric_limits<double>::infinity();
     if (measure.lower) beyond = std::max(beyond, *measure.lower - value);
@@ -239,8 +239,8 @@ double badness(const Measure& measure, double nominal, double value) {
 }
 
 bool isWorse(const Measure& measure, double nominal, double value, double than) {
-  const double bad = badness(measure, nominal, value);
-  return bad > badness(measure, nominal, than) || (std::isnan(than) && !std::isnan(value));
+  const double bad = severity(measure, nominal, value);
+  return bad > severity(measure, nominal, than) || (std::isnan(than) && !std::isnan(value));
 }
 
 WorstTimes findWorstTimes(const SampleSpace& space, const std::vector<std::size_t>& measures,

@@ -9,9 +9,9 @@
 
 namespace cable_variation {
 
-/// How bad a measure's value is; larger is worse: by how much it is beyond its nearest limit; without limits
+/// Severity of a measure's value, larger is worse: by how much it is beyond its nearest limit; without limits
 /// by MeasureTraits::Worse: a small distance, a position far from `nominal`, a large magnitude.
-double badness(const Measure& measure, double nominal, double value);
+double severity(const Measure& measure, double nominal, double value);
 
 /// Whether `value` is worse than `than`; anything is worse than what is not a number, that is never worse.
 bool isWorse(const Measure& measure, double nominal, double value, double than);

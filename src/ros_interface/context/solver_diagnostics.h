@@ -11,8 +11,8 @@ namespace cable_variation_ros {
 
 class SolverContext;
 
-/// How the last solve went, and what the scene hardly means, on /diagnostics: once a second and whenever the
-/// status changes.
+/// How the last solve went, and implausible values in the scene, on /diagnostics: once a second and whenever
+/// the status changes.
 class SolverDiagnostics {
  public:
   SolverDiagnostics(ros::NodeHandle& node, const SolverContext& context);

@@ -21,7 +21,7 @@ std::string resolveAddress(const std::string& address, std::uintmax_t most_bytes
 /// cable_variation::NotFound if there is no such file and SceneError for what is wrong with it.
 cable_variation::Scene loadScene(const std::string& address);
 
-/// What the scene says but hardly means, each as "FILE:LINE: MESSAGE".
+/// Implausible values in the scene, each as "FILE:LINE: MESSAGE".
 std::vector<std::string> warningsOf(const cable_variation::Scene& scene);
 
 /// Each of them as a warning in the log.

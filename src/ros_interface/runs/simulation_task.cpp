@@ -66,7 +66,7 @@ void refuseMoreThanMemory(const SimulationOptions& options, const Scene& scene, 
   const double allowed = kAlongCables * memory_limit;
   if (kept + figures <= allowed) return;
   const bool sections = figures > allowed;
-  refuse(sections ? "sections" : "sheaf_shapes", count(sections ? options.sections : options.kept_shapes),
+  refuse(sections ? "sections" : "sample_shapes", count(sections ? options.sections : options.kept_shapes),
          "fewer: with " + std::to_string(options.sections) + " sections and " +
              std::to_string(options.kept_shapes) + " shapes it would take " +
              cable_variation::memoryText(kept + figures) + ", allowed are " +
@@ -105,10 +105,10 @@ SimulationTask toSimulationTask(const SimulateVariationRequest& request,
     }
     options.sections = request.sections;
   }
-  if (request.sheaf_shapes > kMostShapes) {
-    refuse("sheaf_shapes", request.sheaf_shapes, "at most " + std::to_string(kMostShapes));
+  if (request.sample_shapes > kMostShapes) {
+    refuse("sample_shapes", request.sample_shapes, "at most " + std::to_string(kMostShapes));
   }
-  options.kept_shapes = request.sheaf_shapes;
+  options.kept_shapes = request.sample_shapes;
   options.threads = threads;
   refuseMoreThanMemory(options, scene, memory_limit);
   task.show = figureOf(request.show);

@@ -35,7 +35,7 @@ void apply(const cable_variation::ClipEdit& edit, Design& design) {
   if (edit.set_arc_length) setClipArcLength(design, edit.clip, edit.arc_length);
 }
 
-/// What the edits of a design hardly mean; it is then among the warnings of its scene, wherever these are
+/// Implausible edits of a design; they are then among the warnings of its scene, wherever these are
 /// told.
 std::vector<std::string> warnOfEdits(const cable_variation::Scene& loaded, Design& design,
                                      const cable_variation::SetDesignRequest& request) {

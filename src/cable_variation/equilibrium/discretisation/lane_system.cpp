@@ -80,8 +80,8 @@ LaneSystem::LaneSystem(const Problem& nominal) : problem_(nominal), spans_(nomin
     lanes.first_element = elements;
     lanes.count = nominal.system->elementCount(i);
     elements += lanes.count;
-    lanes.place.reversed = right_held && !left_held;
-    lanes.place.near_held = left_held || right_held;
+    lanes.role.reversed = right_held && !left_held;
+    lanes.role.near_held = left_held || right_held;
     lanes.far_held = left_held && right_held;
     lanes.metric = metric[i];
     std::fill(std::begin(lanes.gyration), std::end(lanes.gyration), nominal.system->gyration(i));
@@ -251,15 +251,15 @@ void LaneSystem::evaluate(bool hessian) {
 void LaneSystem::move(const Flags& active, bool predict_stress) {
   const element::Kernel& kernel = element::kernel();
   const element::ChainKernel& chain = element::chainKernel();
-  alignas(64) double shares[kLanes], shift2[kLanes] = {}, turn2[kLanes] = {};
+  alignas(64) double shares[kLanes], squared_displacement[kLanes] = {}, squared_rotation[kLanes] = {};
   for (std::size_t lane = 0; lane < kLanes; ++lane) shares[lane] = active[lane] ? 1.0 : 0.0;
   for (Element& element : elements_) {
     if (predict_stress) kernel.predict(element.input, element.rows, element.input.stress);
-    chain.advance(element.input, element.rows, shares, shift2, turn2);
+    chain.advance(element.input, element.rows, shares, squared_displacement, squared_rotation);
   }
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    shift_[lane] = std::sqrt(shift2[lane]);
-    turn_[lane] = std::sqrt(turn2[lane]);
+    displacement_[lane] = std::sqrt(squared_displacement[lane]);
+    rotation_[lane] = std::sqrt(squared_rotation[lane]);
     if (!active[lane]) continue;
     Lane& of = *lanes_[lane];
     if (of.unknowns.count() > 0) of.unknowns.move(of.step, of.configuration);

@@ -56,8 +56,8 @@ class LaneSystem {
   /// Newton's step with the factors at hand, which may be those of an earlier shape.
   void step();
   /// Largest displacement [m] and rotation [rad] of the motion last solved for, per lane.
-  const Lanes& shift() const { return shift_; }
-  const Lanes& turn() const { return turn_; }
+  const Lanes& displacement() const { return displacement_; }
+  const Lanes& rotation() const { return rotation_; }
   /// Moves the active lanes by the motion; before an evaluation with the Hessian, with the section forces
   /// predicted along the way.
   void move(const Flags& active, bool predict_stress);
@@ -96,7 +96,7 @@ class LaneSystem {
   std::vector<Element> elements_;
   std::vector<SpanLanes> spans_;
   std::vector<std::unique_ptr<Lane>> lanes_;
-  Lanes residual_{}, shift_{}, turn_{};
+  Lanes residual_{}, displacement_{}, rotation_{};
   std::array<int, kLanes> negative_{};
 };
 

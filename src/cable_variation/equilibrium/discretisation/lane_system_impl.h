@@ -23,7 +23,7 @@ struct LaneSystem::Element {
 struct LaneSystem::SpanLanes {
   std::size_t first_element = 0;
   std::size_t count = 0;  ///< of elements
-  element::Place place;
+  element::ChainRole role;
   bool far_held = false;
   RodSystem::Metric metric;                        ///< of the shift that counts as none
   alignas(64) double gyration[element::kLanes]{};  ///< [m]
@@ -32,17 +32,17 @@ struct LaneSystem::SpanLanes {
   std::vector<NodeRows> nodes;                     ///< likewise, of the nodes after it
 
   /// The element that is number j from the near end.
-  std::size_t element(std::size_t j) const { return first_element + (place.reversed ? count - 1 - j : j); }
+  std::size_t element(std::size_t j) const { return first_element + (role.reversed ? count - 1 - j : j); }
   NodeRows& node(std::size_t j) { return j == 0 ? near : nodes[j - 1]; }
   const NodeRows& node(std::size_t j) const { return j == 0 ? near : nodes[j - 1]; }
   /// The node at the element's left end (0) or right end (1), for element j from the near end.
   NodeRows& endOf(std::size_t j, int end) {
-    return node(place.reversed ? j + (end == 0 ? 1 : 0) : j + (end == 0 ? 0 : 1));
+    return node(role.reversed ? j + (end == 0 ? 1 : 0) : j + (end == 0 ? 0 : 1));
   }
-  const NodeRows& left() const { return node(place.reversed ? count : 0); }
-  const NodeRows& right() const { return node(place.reversed ? 0 : count); }
-  NodeRows& left() { return node(place.reversed ? count : 0); }
-  NodeRows& right() { return node(place.reversed ? 0 : count); }
+  const NodeRows& left() const { return node(role.reversed ? count : 0); }
+  const NodeRows& right() const { return node(role.reversed ? 0 : count); }
+  NodeRows& left() { return node(role.reversed ? count : 0); }
+  NodeRows& right() { return node(role.reversed ? 0 : count); }
 };
 
 /// One harness: its numbers, and its stations.

@@ -50,9 +50,9 @@ void LaneSystem::factorise(const SpanLanes& span, Element& at) {
 
 void LaneSystem::factoriseChain(SpanLanes& span) {
   const element::ChainKernel& chain = element::chainKernel();
-  chain.start(elements_[span.element(0)].factor, nullptr, span.place, span.links[0]);
+  chain.start(elements_[span.element(0)].factor, nullptr, span.role, span.links[0]);
   for (std::size_t j = 1; j < span.count; ++j) {
-    chain.eliminate(elements_[span.element(j)].factor, nullptr, span.place, span.links[j - 1], span.links[j],
+    chain.eliminate(elements_[span.element(j)].factor, nullptr, span.role, span.links[j - 1], span.links[j],
                     negative_.data());
   }
 }
@@ -137,11 +137,11 @@ Eigen::Matrix<double, 12, 12> LaneSystem::reduced(std::size_t index, int lane) c
   const SpanLanes& span = spans_[index];
   const element::Link& last = span.links.back();
   Eigen::Matrix<double, 12, 12> matrix = Eigen::Matrix<double, 12, 12>::Zero();
-  const int far = span.place.reversed ? 0 : 6, near = 6 - far;
+  const int far = span.role.reversed ? 0 : 6, near = 6 - far;
   for (int r = 0; r < kNodeDofs; ++r) {
     for (int c = 0; c < kNodeDofs; ++c) {
       matrix(far + r, far + c) = last.matrix[packedOf(kFarRow + r, kFarRow + c)][lane];
-      if (span.place.near_held) continue;
+      if (span.role.near_held) continue;
       matrix(near + r, near + c) = last.matrix[packedOf(kNearRow + r, kNearRow + c)][lane];
       matrix(near + r, far + c) = matrix(far + c, near + r) =
           last.matrix[packed(kNearRow + r, kFarRow + c)][lane];
@@ -174,7 +174,7 @@ void LaneSystem::condenseChains(const LaneSystem& by) {
   const element::ChainKernel& chain = element::chainKernel();
   for (std::size_t i = 0; i < spans_.size(); ++i) {
     SpanLanes& span = spans_[i];
-    const int border = span.place.border();
+    const int border = span.role.border();
     for (std::size_t j = 1; j < span.count; ++j) {
       chain.condense(by.spans_[i].links[j], border, span.node(j).of, span.node(j + 1).of, span.near.of);
     }
@@ -185,12 +185,12 @@ void LaneSystem::condenseChains(const LaneSystem& by) {
 void LaneSystem::pushByHeldEnds(const LaneSystem& by) {
   for (std::size_t i = 0; i < spans_.size(); ++i) {
     SpanLanes& span = spans_[i];
-    if (!span.place.near_held) continue;
+    if (!span.role.near_held) continue;
     const auto& matrix = by.elements_[span.element(0)].factor.matrix;
-    const int near = kInner + (span.place.reversed ? kNodeDofs : 0);
-    const int far = kInner + (span.place.reversed ? 0 : kNodeDofs);
-    const auto station = static_cast<Eigen::Index>(span.place.reversed ? problem_.topology.spans[i].right
-                                                                       : problem_.topology.spans[i].left);
+    const int near = kInner + (span.role.reversed ? kNodeDofs : 0);
+    const int far = kInner + (span.role.reversed ? 0 : kNodeDofs);
+    const auto station = static_cast<Eigen::Index>(span.role.reversed ? problem_.topology.spans[i].right
+                                                                      : problem_.topology.spans[i].left);
     NodeRows carried;
     for (int lane = 0; lane < kLanes; ++lane) {
       put(lanes_[static_cast<std::size_t>(lane)]->carried.col(station), lane, carried);
@@ -261,7 +261,7 @@ void LaneSystem::expand(const LaneSystem& by) {
   const element::ChainKernel& chain = element::chainKernel();
   for (std::size_t i = 0; i < spans_.size(); ++i) {
     SpanLanes& span = spans_[i];
-    const int border = span.place.border();
+    const int border = span.role.border();
     for (std::size_t j = span.count; j-- > 1;) {
       chain.expand(by.spans_[i].links[j], border, span.node(j).of, span.node(j + 1).of, span.near.of);
     }

@@ -17,15 +17,15 @@ ShapePoint shapePoint(double arc_length, const Pose& pose, const Vector6d& secti
   const Vector3d k_omega = rod.stiffness.tail<3>();
   point.strain = n.cwiseQuotient(k_gamma);
   point.curvature = m.cwiseQuotient(k_omega);
-  point.turn = point.curvature + rod.rest_curvature;
+  point.darboux = point.curvature + rod.rest_curvature;
   const Vector3d gamma = Vector3d::UnitX() + point.strain;
   point.tangent = pose.orientation * gamma;
   // n' in the section frame: -Ω × n - ρA Rᵀg; stiffness may change along s
   const Vector3d weight = pose.orientation.conjugate() * (rod.mass_per_length * gravity);
-  const Vector3d n_slope = -point.turn.cross(n) - weight;
+  const Vector3d n_slope = -point.darboux.cross(n) - weight;
   const Vector3d stiffness_slope = rod.stiffness_slope.head<3>();
   const Vector3d gamma_slope = (n_slope - stiffness_slope.cwiseProduct(point.strain)).cwiseQuotient(k_gamma);
-  point.bend = pose.orientation * (point.turn.cross(gamma) + gamma_slope);
+  point.second_derivative = pose.orientation * (point.darboux.cross(gamma) + gamma_slope);
   return point;
 }
 
@@ -71,17 +71,17 @@ ShapePointRate shapePointRate(const ShapePoint& point, const Vector6d& motion, c
   const Vector3d gamma = Vector3d::UnitX() + point.strain;
   rate.tangent = R * (turn.cross(gamma) + rate.strain);
   const Vector3d pull = R.transpose() * gravity;
-  const Vector3d n_slope = -point.turn.cross(n) - rod.mass_per_length * pull;
-  const Vector3d n_slope_rate = -omega_rate.cross(n) - point.turn.cross(dn) -
+  const Vector3d n_slope = -point.darboux.cross(n) - rod.mass_per_length * pull;
+  const Vector3d n_slope_rate = -omega_rate.cross(n) - point.darboux.cross(dn) -
                                 rod_rate.mass_per_length * pull + rod.mass_per_length * turn.cross(pull);
   const Vector3d k_slope = rod.stiffness_slope.head<3>(), dk_slope = rod_rate.stiffness_slope.head<3>();
   const Vector3d gamma_slope = (n_slope - k_slope.cwiseProduct(point.strain)).cwiseQuotient(k_gamma);
   const Vector3d gamma_slope_rate = (n_slope_rate - dk_slope.cwiseProduct(point.strain) -
                                      k_slope.cwiseProduct(rate.strain) - gamma_slope.cwiseProduct(dk_gamma))
                                         .cwiseQuotient(k_gamma);
-  const Vector3d bend = point.turn.cross(gamma) + gamma_slope;
-  rate.bend =
-      R * (turn.cross(bend) + omega_rate.cross(gamma) + point.turn.cross(rate.strain) + gamma_slope_rate);
+  const Vector3d bend = point.darboux.cross(gamma) + gamma_slope;
+  rate.second_derivative =
+      R * (turn.cross(bend) + omega_rate.cross(gamma) + point.darboux.cross(rate.strain) + gamma_slope_rate);
   return rate;
 }
 

@@ -174,22 +174,22 @@ void StationUnknowns::move(const Eigen::VectorXd& step, Configuration& configura
   for (std::size_t i = 0; i < layout_.size(); ++i) {
     const Layout& layout = layout_[i];
     StationConfiguration& at = configuration.stations[i];
-    Eigen::Vector3d shift = Eigen::Vector3d::Zero();
-    Eigen::Vector3d turn = Eigen::Vector3d::Zero();
+    Eigen::Vector3d translation = Eigen::Vector3d::Zero();
+    Eigen::Vector3d rotation = Eigen::Vector3d::Zero();
     for (int k = 0; k < 3; ++k) {
-      if (layout.translation[k] >= 0) shift[k] = step[layout.translation[k]];
-      if (layout.rotation[k] >= 0) turn[k] = step[layout.rotation[k]];
+      if (layout.translation[k] >= 0) translation[k] = step[layout.translation[k]];
+      if (layout.rotation[k] >= 0) rotation[k] = step[layout.rotation[k]];
     }
-    at.offset += shift;
+    at.offset += translation;
     if (topology_.stations[i].clip) {
-      at.pose.position += harness_.clips[*topology_.stations[i].clip].pose.orientation * shift;
+      at.pose.position += harness_.clips[*topology_.stations[i].clip].pose.orientation * translation;
     } else {
-      at.pose.position += shift;
+      at.pose.position += translation;
     }
     if (layout.rotation_vector) {
-      at.rotation = withinHalfTurn(at.rotation + turn);
+      at.rotation = withinHalfTurn(at.rotation + rotation);
     } else {
-      at.pose.orientation = at.pose.orientation * so3::exp(turn);
+      at.pose.orientation = at.pose.orientation * so3::exp(rotation);
     }
     if (layout.hinge >= 0) at.hinge_angle = std::remainder(at.hinge_angle + step[layout.hinge], 2.0 * M_PI);
     if (layout.slide >= 0) at.arc_length += step[layout.slide];

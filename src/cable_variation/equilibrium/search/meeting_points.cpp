@@ -108,9 +108,9 @@ std::vector<std::optional<Eigen::Vector3d>> meetingPoints(const Harness& harness
       const double excess = way.norm() - kDrawn * edge.length;
       const int movable = (moves(edge.a) ? 1 : 0) + (moves(edge.b) ? 1 : 0);
       if (excess <= 0.0 || movable == 0) continue;
-      const Eigen::Vector3d shift = excess / movable * way.normalized();
-      if (moves(edge.a)) at[edge.a] += shift;
-      if (moves(edge.b)) at[edge.b] -= shift;
+      const Eigen::Vector3d push = excess / movable * way.normalized();
+      if (moves(edge.a)) at[edge.a] += push;
+      if (moves(edge.b)) at[edge.b] -= push;
     }
   }
   for (std::size_t i = 0; i < count; ++i) {

@@ -10,17 +10,17 @@
 namespace cable_variation {
 namespace {
 
-constexpr double kLargestTurn = 0.35;  // of a step, at any node [rad]
-constexpr double kLargestShift = 0.1;  // of a step, over the length of the harness
+constexpr double kLargestRotation = 0.35;     // of a step, at any node [rad]
+constexpr double kLargestDisplacement = 0.1;  // of a step, over the length of the harness
 constexpr double kShiftGrowth = 8.0;
 constexpr double kFirstShift = 0.1;
 constexpr int kLongestClimb = 8;         // steps in a row without a new lowest energy
 constexpr double kSmallestShift = 1e-3;  // below it, none
-constexpr double kSmallTurn = 1e-2;      // of a step close to rest [rad]
+constexpr double kSmallRotation = 1e-2;  // of a step close to rest [rad]
 constexpr double kGentleGrowth = 100.0;
 constexpr double kLargestNeutralShift = 2e-5;
 constexpr int kFinalSteps = 4;
-constexpr double kLargestLmShift = 1e12;
+constexpr double kLargestShift = 1e12;
 // A full Newton step below this, relative to length and in radians, leaves an error near its square.
 constexpr double kFinalStep = 1e-6;
 // After a Newton step below this, the same factors serve for the next steps, each this much shorter at least.
@@ -32,15 +32,15 @@ constexpr double kRoughStep = 1e-3;
 constexpr double kRoughlyLeft = 1e-5;
 
 struct StepSize {
-  double shift = 0.0;  // [m]
-  double turn = 0.0;   // [rad]
+  double displacement = 0.0;  // [m]
+  double rotation = 0.0;      // [rad]
 };
 
 StepSize sizeOf(const NodalField& motion) {
   StepSize size;
   for (const auto& nodes : motion.spans) {
-    size.shift = std::max(size.shift, nodes.topRows<3>().colwise().norm().maxCoeff());
-    size.turn = std::max(size.turn, nodes.bottomRows<3>().colwise().norm().maxCoeff());
+    size.displacement = std::max(size.displacement, nodes.topRows<3>().colwise().norm().maxCoeff());
+    size.rotation = std::max(size.rotation, nodes.bottomRows<3>().colwise().norm().maxCoeff());
   }
   return size;
 }
@@ -66,7 +66,7 @@ class Descent {
     while (result_.iterations < options_.max_iterations) {
       if (!factorise()) break;
       const StepSize size = lengthen(findStep());
-      if (!std::isfinite(size.shift) || !std::isfinite(size.turn)) break;
+      if (!std::isfinite(size.displacement) || !std::isfinite(size.rotation)) break;
       if (isRoughlyFinal(size)) {
         if (endRoughly()) break;
         continue;
@@ -111,9 +111,9 @@ class Descent {
       too_small_shift_ = shift_;
       // close to rest a negative pivot may be that of a neutral motion, off zero by what is left of the
       // residual
-      const bool gently = last_turn_ < kSmallTurn && shift_ < kSmallestShift;
+      const bool gently = last_rotation_ < kSmallRotation && shift_ < kSmallestShift;
       shift_ = gently ? kGentleGrowth * shift_ : std::max(kFirstShift, shift_ * kShiftGrowth);
-      if (shift_ > kLargestLmShift) return false;
+      if (shift_ > kLargestShift) return false;
       evaluateAgain();
     }
     return true;
@@ -125,7 +125,8 @@ class Descent {
     constexpr int kTrials = 3;
     constexpr double kShort = 0.2;  // of the longest step
     const auto isShort = [&] {
-      return size.turn < kShort * kLargestTurn && size.shift < kShort * kLargestShift * length_;
+      return size.rotation < kShort * kLargestRotation &&
+             size.displacement < kShort * kLargestDisplacement * length_;
     };
     for (int trial = 0; too_small_shift_ > kFirstShift && isShort() && trial < kTrials; ++trial) {
       const double between = std::sqrt(too_small_shift_ * shift_);
@@ -152,13 +153,13 @@ class Descent {
   }
 
   bool isFinal(const StepSize& size) const {
-    return size.shift < kFinalStep * length_ && size.turn < kFinalStep;
+    return size.displacement < kFinalStep * length_ && size.rotation < kFinalStep;
   }
 
   // A step that leaves next to nothing for a rough descent, and with factors that are positive.
   bool isRoughlyFinal(const StepSize& size) const {
-    return options_.rough && shift_ == neutral_ && size.shift < kRoughStep * length_ &&
-           size.turn < kRoughStep;
+    return options_.rough && shift_ == neutral_ && size.displacement < kRoughStep * length_ &&
+           size.rotation < kRoughStep;
   }
 
   // Goes the last step. Whether the Hessian there is positive, by the section forces that the step leads to;
@@ -192,9 +193,10 @@ class Descent {
   // Goes one step. Whether it has come to rest, by steps with the same factors close to it.
   bool tryStep(const StepSize& size) {
     smallest_shift_ = false;
-    last_turn_ = size.turn;
-    const double limit = std::min(
-        1.0, std::min(kLargestTurn / (size.turn + 1e-300), kLargestShift * length_ / (size.shift + 1e-300)));
+    last_rotation_ = size.rotation;
+    const double limit =
+        std::min(1.0, std::min(kLargestRotation / (size.rotation + 1e-300),
+                               kLargestDisplacement * length_ / (size.displacement + 1e-300)));
     if (limit < 1.0) step_.scale(limit);
     const double before = system_.energy().total();
     const double slope = system_.gradient().dot(step_);
@@ -205,8 +207,8 @@ class Descent {
       raiseShift();
       return false;
     }
-    const bool near =
-        shift_ == neutral_ && size.turn < kNear && size.shift < kNear * length_ && system_.keepsFactors();
+    const bool near = shift_ == neutral_ && size.rotation < kNear && size.displacement < kNear * length_ &&
+                      system_.keepsFactors();
     system_.evaluate(trial_, near ? Hessian::none : Hessian::predicted);
     predicted_ = true;
     const double change = system_.energy().total() - before - work;
@@ -238,9 +240,10 @@ class Descent {
   bool approach(StepSize last) {
     while (true) {
       const StepSize size = findStep();
-      const double contraction = std::max(size.turn / last.turn, size.shift / last.shift);
+      const double contraction =
+          std::max(size.rotation / last.rotation, size.displacement / last.displacement);
       if (!(contraction < kContraction)) break;
-      const double left = std::max(size.turn, size.shift / length_) * contraction;
+      const double left = std::max(size.rotation, size.displacement / length_) * contraction;
       if (options_.rough && left < kRoughlyLeft) return endRoughly();
       system_.move(step_, configuration_);
       if (left < kLeft) return true;
@@ -265,20 +268,20 @@ class Descent {
 
   void raiseShift() {
     shift_ = std::max(kFirstShift, shift_ * kShiftGrowth);
-    if (shift_ > kLargestLmShift) result_.iterations = options_.max_iterations;
+    if (shift_ > kLargestShift) result_.iterations = options_.max_iterations;
     evaluateExactly();
   }
 
   // Plain Newton steps, whatever the Hessian's inertia.
   void settle() {
     constexpr int kSteps = 12;
-    constexpr double kNearTurn = 0.7;  // of a step that leads to a shape near by [rad]
+    constexpr double kNearStep = 0.7;  // of a step that leads to a shape near by [rad]
     shift_ = neutral_;
     for (int k = 0; k < kSteps; ++k) {
       system_.evaluate(configuration_, predicted_ ? Hessian::predicted : Hessian::exact);
       system_.factorise(shift_, metric_);
       const StepSize size = findStep();
-      if (!(size.turn < kNearTurn) || !(size.shift < kNearTurn * length_)) return;
+      if (!(size.rotation < kNearStep) || !(size.displacement < kNearStep * length_)) return;
       system_.predictStress(step_);
       predicted_ = true;
       system_.move(step_, configuration_);
@@ -301,7 +304,7 @@ class Descent {
     const StepSize size = sizeOf(motion);
     while (saddles_ < std::size(kPushes)) {
       NodalField push = motion;
-      push.scale(kPushes[saddles_++] / std::max(size.turn, 4.0 * size.shift / length_));
+      push.scale(kPushes[saddles_++] / std::max(size.rotation, 4.0 * size.displacement / length_));
       Configuration aside = configuration_;
       evaluateExactly();
       const double before = system_.energy().total();
@@ -336,7 +339,7 @@ class Descent {
   double climbed_ = 0.0;  // energy above the lowest, dead moments' work taken off [J]
   int steps_above_ = 0;
   bool predicted_ = false;
-  double last_turn_ = INFINITY;  // of the last step [rad]
+  double last_rotation_ = INFINITY;  // of the last step [rad]
   std::vector<RodSystem::Metric> metric_;
   NodalField force_, step_;
   Configuration trial_;

@@ -26,7 +26,7 @@ struct alignas(64) Link {
 };
 
 /// How an element sits in its chain.
-struct Place {
+struct ChainRole {
   bool reversed = false;   ///< its right end is the near one
   bool near_held = false;  ///< the chain's near end does not move
   bool slides = false;     ///< the chain's arc lengths are unknowns
@@ -36,10 +36,10 @@ struct Place {
 struct ChainKernel {
   /// A chain's first element into the rows of `root` that an elimination would leave. `slide`: coupling of
   /// the element's rows to both arc lengths, [kSlides][kDofs][kLanes]; not read without slides.
-  void (*start)(const Factor&, const double (*slide)[kDofs][kLanes], const Place&, Link& root);
+  void (*start)(const Factor&, const double (*slide)[kDofs][kLanes], const ChainRole&, Link& root);
   /// Puts the next element behind the node that `before` left, and eliminates the node. Adds the number of
   /// pivots that are not positive, per lane.
-  void (*eliminate)(const Factor&, const double (*slide)[kDofs][kLanes], const Place&, const Link& before,
+  void (*eliminate)(const Factor&, const double (*slide)[kDofs][kLanes], const ChainRole&, const Link& before,
                     Link& link, int* negative_pivots);
   /// Eliminates the node from a right-hand side. `far` [kNodeDofs][kLanes]: of the next node; `border`: rows
   /// as in the link.
@@ -56,8 +56,8 @@ struct ChainKernel {
   void (*largest)(const double (*rows)[kLanes], int count, const double* gyration, double* largest);
   /// Moves the nodes of an element by `motion` [kDofs][kLanes] where `active` is not 0. Raises, per lane, the
   /// squares of the largest displacement and rotation met.
-  void (*advance)(Input&, const double (*motion)[kLanes], const double* active, double* shift2,
-                  double* turn2);
+  void (*advance)(Input&, const double (*motion)[kLanes], const double* active, double* squared_displacement,
+                  double* squared_rotation);
 };
 
 /// The fastest kernel this processor can run; of the same instruction set as kernel().

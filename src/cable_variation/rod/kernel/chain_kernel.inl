@@ -15,12 +15,12 @@ inline Pack entry(const Factor& element, int row, int column, int lane) {
 }
 
 // First row of the element's near and far node.
-inline int nearRow(const Place& place) { return place.reversed ? kInner + kNodeDofs : kInner; }
-inline int farRow(const Place& place) { return place.reversed ? kInner : kInner + kNodeDofs; }
+inline int nearRow(const ChainRole& role) { return role.reversed ? kInner + kNodeDofs : kInner; }
+inline int farRow(const ChainRole& role) { return role.reversed ? kInner : kInner + kNodeDofs; }
 
-void start(const Factor& element, const double (*slide)[kDofs][kLanes], const Place& place, Link& root) {
-  const int near = nearRow(place), far = farRow(place);
-  const int slides = kBorder + (place.near_held ? 0 : kNodeDofs);
+void start(const Factor& element, const double (*slide)[kDofs][kLanes], const ChainRole& role, Link& root) {
+  const int near = nearRow(role), far = farRow(role);
+  const int slides = kBorder + (role.near_held ? 0 : kNodeDofs);
   const Pack zero = {};
   for (int lane = 0; lane < kLanes; lane += kWidth) {
     const auto put = [&](int row, int column, Pack value) {
@@ -29,13 +29,13 @@ void start(const Factor& element, const double (*slide)[kDofs][kLanes], const Pl
     for (int r = 0; r < kNodeDofs; ++r) {
       for (int c = 0; c <= r; ++c) put(kFar + r, kFar + c, entry(element, far + r, far + c, lane));
     }
-    for (int r = 0; !place.near_held && r < kNodeDofs; ++r) {
+    for (int r = 0; !role.near_held && r < kNodeDofs; ++r) {
       for (int c = 0; c < kNodeDofs; ++c) put(kBorder + r, kFar + c, entry(element, near + r, far + c, lane));
       for (int c = 0; c <= r; ++c) put(kBorder + r, kBorder + c, entry(element, near + r, near + c, lane));
     }
-    for (int s = 0; place.slides && s < kSlides; ++s) {
+    for (int s = 0; role.slides && s < kSlides; ++s) {
       for (int c = 0; c < kNodeDofs; ++c) put(slides + s, kFar + c, load(slide[s][far + c] + lane));
-      for (int c = 0; !place.near_held && c < kNodeDofs; ++c) {
+      for (int c = 0; !role.near_held && c < kNodeDofs; ++c) {
         put(slides + s, kBorder + c, load(slide[s][near + c] + lane));
       }
       for (int c = 0; c <= s; ++c) put(slides + s, slides + c, zero);
@@ -43,11 +43,11 @@ void start(const Factor& element, const double (*slide)[kDofs][kLanes], const Pl
   }
 }
 
-void eliminate(const Factor& element, const double (*slide)[kDofs][kLanes], const Place& place,
+void eliminate(const Factor& element, const double (*slide)[kDofs][kLanes], const ChainRole& role,
                const Link& before, Link& link, int* negative_pivots) {
-  const int near = nearRow(place), far = farRow(place);
-  const int near_rows = place.near_held ? 0 : kNodeDofs;
-  const int border = place.border();
+  const int near = nearRow(role), far = farRow(role);
+  const int near_rows = role.near_held ? 0 : kNodeDofs;
+  const int border = role.border();
   const Pack zero = {};
   for (int lane = 0; lane < kLanes; lane += kWidth) {
     const auto put = [&](int row, int column, Pack value) {
@@ -158,25 +158,27 @@ void largest(const double (*rows)[kLanes], int count, const double* gyration, do
   }
 }
 
-void advance(Input& in, const double (*motion)[kLanes], const double* active, double* shift2, double* turn2) {
+void advance(Input& in, const double (*motion)[kLanes], const double* active, double* squared_displacement,
+             double* squared_rotation) {
   for (int lane = 0; lane < kLanes; lane += kWidth) {
     const Pack share = load(active + lane);
-    Pack largest_shift = load(shift2 + lane), largest_turn = load(turn2 + lane);
+    Pack largest_displacement = load(squared_displacement + lane),
+         largest_rotation = load(squared_rotation + lane);
     for (int a = 0; a < kNodes; ++a) {
       const double(*of)[kLanes] = motion + kFirstDof[a];
-      Pack shift = {};
+      Pack squared_length = {};
       for (int k = 0; k < 3; ++k) {
         const Pack d = load(of[k] + lane);
-        double* place = in.position[a][k] + lane;
-        const Pack before = load(place);
-        store(place, share != 0.0 ? before + d : before);
-        shift += d * d;
+        double* position = in.position[a][k] + lane;
+        const Pack before = load(position);
+        store(position, share != 0.0 ? before + d : before);
+        squared_length += d * d;
       }
       const Pack x = load(of[3] + lane), y = load(of[4] + lane), z = load(of[5] + lane);
-      const Pack turn = x * x + y * y + z * z;
+      const Pack squared_angle = x * x + y * y + z * z;
       // cos and sin(h)/h of half the angle by their series, to rounding up to an angle of 1 rad; larger steps
       // are refused
-      const Pack h = 0.25 * turn;
+      const Pack h = 0.25 * squared_angle;
       const Pack c =
           1.0 - h * (1.0 / 2.0) *
                     (1.0 - h * (1.0 / 12.0) *
@@ -203,11 +205,11 @@ void advance(Input& in, const double (*motion)[kLanes], const double* active, do
       store(q[1] + lane, share != 0.0 ? norm * x1 : x0);
       store(q[2] + lane, share != 0.0 ? norm * y1 : y0);
       store(q[3] + lane, share != 0.0 ? norm * z1 : z0);
-      largest_shift = larger(largest_shift, shift) + poison(shift);
-      largest_turn = larger(largest_turn, turn) + poison(turn);
+      largest_displacement = larger(largest_displacement, squared_length) + poison(squared_length);
+      largest_rotation = larger(largest_rotation, squared_angle) + poison(squared_angle);
     }
-    store(shift2 + lane, largest_shift);
-    store(turn2 + lane, largest_turn);
+    store(squared_displacement + lane, largest_displacement);
+    store(squared_rotation + lane, largest_rotation);
   }
 }
 

@@ -1,4 +1,4 @@
-#include <cable_variation/simulation/simulated_pose.h>
+#include <cable_variation/simulation/design_instant.h>
 
 #include <algorithm>
 #include <cmath>
@@ -67,7 +67,7 @@ bool anyEigenvalue(const Scene& scene, const std::vector<std::size_t>& measures)
 
 }  // namespace
 
-SimulatedPose::SimulatedPose(const SampleSpace& space, const VariedDesign& design,
+DesignInstant::DesignInstant(const SampleSpace& space, const VariedDesign& design,
                              const std::vector<std::size_t>& measures, const MeasureEvaluator& evaluator,
                              std::size_t sections, const EquilibriumSolver& solver, double time)
     : space_(&space),
@@ -102,7 +102,7 @@ SimulatedPose::SimulatedPose(const SampleSpace& space, const VariedDesign& desig
 }
 
 // Principal axes of each section's first-order covariance.
-void SimulatedPose::findAxes(const std::vector<CableView>& views, const std::vector<std::size_t>& variables) {
+void DesignInstant::findAxes(const std::vector<CableView>& views, const std::vector<std::size_t>& variables) {
   const Eigen::MatrixXd covariance = spreadOf(space_->scene(), variables).covariance;
   const std::vector<DesignRate> rates = space_->rates(space_->designAt(time_));
   const auto count = static_cast<Eigen::Index>(variables.size());
@@ -125,7 +125,7 @@ void SimulatedPose::findAxes(const std::vector<CableView>& views, const std::vec
   }
 }
 
-bool SimulatedPose::snapsNearby(const std::vector<std::size_t>& variables) const {
+bool DesignInstant::snapsNearby(const std::vector<std::size_t>& variables) const {
   const auto count = static_cast<Eigen::Index>(variables.size());
   Eigen::MatrixX2d rarest(count, 2);
   for (Eigen::Index j = 0; j < count; ++j) {
@@ -160,18 +160,18 @@ bool SimulatedPose::snapsNearby(const std::vector<std::size_t>& variables) const
   return false;
 }
 
-std::vector<double> SimulatedPose::arcLengths(std::size_t cable) const {
+std::vector<double> DesignInstant::arcLengths(std::size_t cable) const {
   std::vector<double> arc_lengths;
   arc_lengths.reserve(shares_.size());
   for (const double share : shares_) arc_lengths.push_back(share * harness_.cables[cable].length);
   return arc_lengths;
 }
 
-bool SimulatedPose::isDoubtful(const SamplePlace& place) const {
+bool DesignInstant::isDoubtful(const SamplePlace& place) const {
   return watchful_ && follower_->expectedMotion(place) > kNear;
 }
 
-void SimulatedPose::predict(const double* deviations, double* values) const {
+void DesignInstant::predict(const double* deviations, double* values) const {
   const auto count = static_cast<Eigen::Index>(linear_.variables.size());
   const Eigen::Map<const Eigen::VectorXd> at(deviations, count);
   for (std::size_t i = 0; i < measures_.size(); ++i) {
@@ -181,7 +181,7 @@ void SimulatedPose::predict(const double* deviations, double* values) const {
   }
 }
 
-std::vector<std::optional<LinearMoments>> SimulatedPose::linearMoments() const {
+std::vector<std::optional<LinearMoments>> DesignInstant::linearMoments() const {
   std::vector<std::optional<LinearMoments>> moments(measures_.size());
   for (std::size_t i = 0; i < measures_.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
@@ -191,20 +191,21 @@ std::vector<std::optional<LinearMoments>> SimulatedPose::linearMoments() const {
   return moments;
 }
 
-PoseWorker::PoseWorker(const SimulatedPose& pose) : pose_(&pose), batch_(pose.batch_) {
+InstantSolver::InstantSolver(const DesignInstant& instant) : instant_(&instant), batch_(instant.batch_) {
   harnesses_.reserve(kSamples);
 }
 
-const std::array<PoseSample, PoseWorker::kSamples>& PoseWorker::solve(const Eigen::MatrixXd& deviations) {
+const std::array<SampleSolution, InstantSolver::kSamples>& InstantSolver::solve(
+    const Eigen::MatrixXd& deviations) {
   const auto count = static_cast<std::size_t>(deviations.cols());
   std::array<SamplePlace, kSamples> places;
   std::array<std::size_t, kSamples> sample_of{};  // each harness's
   harnesses_.clear();
   for (std::size_t i = 0; i < count; ++i) {
-    places[i] = {deviations.col(static_cast<Eigen::Index>(i)), pose_->time_};
+    places[i] = {deviations.col(static_cast<Eigen::Index>(i)), instant_->time_};
     samples_[i].solved_again = false;
     try {
-      harnesses_.push_back(pose_->space_->harness(places[i]));
+      harnesses_.push_back(instant_->space_->harness(places[i]));
       sample_of[harnesses_.size() - 1] = i;
     } catch (const std::invalid_argument&) {
       samples_[i].outcome = SampleOutcome::impossible;
@@ -213,10 +214,10 @@ const std::array<PoseSample, PoseWorker::kSamples>& PoseWorker::solve(const Eige
   if (batch_ && !harnesses_.empty()) batch_->solve(harnesses_.data(), harnesses_.size());
   for (std::size_t k = 0; k < harnesses_.size(); ++k) {
     const std::size_t i = sample_of[k];
-    if (batch_ && batch_->outcome(k).converged() && !pose_->isDoubtful(places[i])) {
+    if (batch_ && batch_->outcome(k).converged() && !instant_->isDoubtful(places[i])) {
       samples_[i].outcome = SampleOutcome::solved;
       Equilibrium equilibrium = batch_->describe(k);
-      if (pose_->eigenvalue_) equilibrium.smallest_eigenvalue = batch_->smallestEigenvalue(k);
+      if (instant_->eigenvalue_) equilibrium.smallest_eigenvalue = batch_->smallestEigenvalue(k);
       read(places[i], harnesses_[k], equilibrium, samples_[i]);
     } else {
       solveRobustly(places[i], samples_[i]);
@@ -225,10 +226,10 @@ const std::array<PoseSample, PoseWorker::kSamples>& PoseWorker::solve(const Eige
   return samples_;
 }
 
-void PoseWorker::solveRobustly(const SamplePlace& place, PoseSample& sample) {
+void InstantSolver::solveRobustly(const SamplePlace& place, SampleSolution& sample) {
   sample.solved_again = true;
-  const FollowedShape followed = pose_->isDoubtful(place) ? pose_->follower_->followWatchfully(place)
-                                                          : pose_->follower_->follow(place, false);
+  const FollowedShape followed = instant_->isDoubtful(place) ? instant_->follower_->followWatchfully(place)
+                                                             : instant_->follower_->follow(place, false);
   if (followed.converged) {
     sample.outcome = followed.jump ? SampleOutcome::snapped : SampleOutcome::solved;
     read(place, followed.harness, followed.equilibrium, sample);
@@ -239,11 +240,11 @@ void PoseWorker::solveRobustly(const SamplePlace& place, PoseSample& sample) {
   }
 }
 
-void PoseWorker::read(const SamplePlace& place, const Harness& harness, const Equilibrium& equilibrium,
-                      PoseSample& sample) {
-  const ComponentPoses components = pose_->space_->components(place);
-  const std::vector<MeasureValue> values = pose_->evaluator_.evaluate(
-      {harness, equilibrium, components}, pose_->measures_, &pose_->linear_.values);
+void InstantSolver::read(const SamplePlace& place, const Harness& harness, const Equilibrium& equilibrium,
+                         SampleSolution& sample) {
+  const ComponentPoses components = instant_->space_->components(place);
+  const std::vector<MeasureValue> values = instant_->evaluator_.evaluate(
+      {harness, equilibrium, components}, instant_->measures_, &instant_->linear_.values);
   sample.discretisation_error = equilibrium.discretisation_error;
   sample.values.clear();
   sample.undecided = false;
@@ -252,12 +253,12 @@ void PoseWorker::read(const SamplePlace& place, const Harness& harness, const Eq
     sample.undecided = sample.undecided || value.undecided;
   }
   sample.points.resize(harness.cables.size());
-  const auto sections = static_cast<Eigen::Index>(pose_->shares_.size());
+  const auto sections = static_cast<Eigen::Index>(instant_->shares_.size());
   for (std::size_t cable = 0; cable < harness.cables.size(); ++cable) {
     sample.points[cable].resize(3, sections);
     for (Eigen::Index k = 0; k < sections; ++k) {
       sample.points[cable].col(k) = equilibrium.shapes[cable].position(
-          pose_->shares_[static_cast<std::size_t>(k)] * harness.cables[cable].length);
+          instant_->shares_[static_cast<std::size_t>(k)] * harness.cables[cable].length);
     }
   }
 }

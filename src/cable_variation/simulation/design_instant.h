@@ -16,16 +16,16 @@
 namespace cable_variation {
 
 /// The design at one time of a simulation, ready for samples around it. const: may be shared by threads.
-class SimulatedPose {
+class DesignInstant {
  public:
-  /// @param space of scene, variables, motions; must outlive the pose, as must `scene`
+  /// @param space of scene, variables, motions; must outlive it, as must `scene`
   /// @param measures indices @param solver a shape to start from
   /// Throws as requireConverged(): no equilibrium; std::invalid_argument: analyseStability().
-  SimulatedPose(const SampleSpace& space, const VariedDesign& design,
+  DesignInstant(const SampleSpace& space, const VariedDesign& design,
                 const std::vector<std::size_t>& measures, const MeasureEvaluator& evaluator,
                 std::size_t sections, const EquilibriumSolver& solver, double time);
-  SimulatedPose(const SimulatedPose&) = delete;
-  SimulatedPose& operator=(const SimulatedPose&) = delete;
+  DesignInstant(const DesignInstant&) = delete;
+  DesignInstant& operator=(const DesignInstant&) = delete;
 
   double time() const { return time_; }
   const Harness& harness() const { return harness_; }
@@ -42,7 +42,7 @@ class SimulatedPose {
   const std::vector<Eigen::Matrix3d>& axes(std::size_t cable) const { return axes_[cable]; }
 
  private:
-  friend class PoseWorker;
+  friend class InstantSolver;
   bool isDoubtful(const SamplePlace& place) const;  // it may be beyond a snap
   void findAxes(const std::vector<CableView>& views, const std::vector<std::size_t>& variables);
   /// Whether the cables snap on the way to where one variable is at its rarest values, or all go where a
@@ -71,7 +71,7 @@ class SimulatedPose {
 };
 
 /// One sample's equilibrium and what was found in it; without one the figures mean nothing.
-struct PoseSample {
+struct SampleSolution {
   SampleOutcome outcome = SampleOutcome::not_converged;
   bool solved_again = false;             ///< by the robust solver
   bool undecided = false;                ///< whether a cable is inside of an open part
@@ -80,26 +80,26 @@ struct PoseSample {
   std::vector<Eigen::Matrix3Xd> points;  ///< per cable, of its sections [m, world]
 };
 
-/// Solves samples around a pose, some at a time. One per thread.
-class PoseWorker {
+/// Solves samples around a DesignInstant, some at a time. One per thread.
+class InstantSolver {
  public:
   static constexpr std::size_t kSamples = BatchSolver::kBatch;
 
-  /// @param pose must outlive the worker
-  explicit PoseWorker(const SimulatedPose& pose);
+  /// @param instant must outlive the worker
+  explicit InstantSolver(const DesignInstant& instant);
 
   /// @param deviations one column per sample, at most kSamples
-  const std::array<PoseSample, kSamples>& solve(const Eigen::MatrixXd& deviations);
+  const std::array<SampleSolution, kSamples>& solve(const Eigen::MatrixXd& deviations);
 
  private:
-  void solveRobustly(const SamplePlace& place, PoseSample& sample);
+  void solveRobustly(const SamplePlace& place, SampleSolution& sample);
   void read(const SamplePlace& place, const Harness& harness, const Equilibrium& equilibrium,
-            PoseSample& sample);
+            SampleSolution& sample);
 
-  const SimulatedPose* pose_;
+  const DesignInstant* instant_;
   std::optional<BatchSolver> batch_;
   std::vector<Harness> harnesses_;
-  std::array<PoseSample, kSamples> samples_;
+  std::array<SampleSolution, kSamples> samples_;
 };
 
 }  // namespace cable_variation
