@@ -16,7 +16,6 @@
 #include <cable_variation/envelope/envelope_tightness.h>
 #include <cable_variation/envelope/envelope_verification.h>
 #include <cable_variation/envelope/envelope_warning.h>
-#include <cable_variation/envelope/rare_rounding.h>
 #include <cable_variation/envelope/search/phase_search.h>
 #include <cable_variation/envelope/search/random_place.h>
 #include <cable_variation/envelope/snap_shares.h>
@@ -36,8 +35,11 @@ constexpr double kWorthwhile = 0.4;
 constexpr int kRounds = 8;
 constexpr std::size_t kLookedAt = 2000;
 // Where shapes are rare, so many more like them in each round, and in the last, which says how far pieces are
-// rounded there. Over a motion they tell of one phase each; each takes as long as a hundred usual ones.
-constexpr std::size_t kLikeRare = 200, kLikeRareLast = 400, kLikeRareInMotion = 200;
+// rounded there; each takes as long as a hundred usual ones. Over a motion no pieces are rounded by them, so
+// the last has no more.
+constexpr std::size_t kLikeRare = 200, kLikeRareLast = 400;
+// Pieces are rounded by so many times what random shapes stick out by: others will stick out further.
+constexpr double kRounding = 2.0;
 // Of shapes that stick out of the finished envelope so many are taken in at most.
 constexpr std::size_t kMostHeld = 1000;
 // Random shapes that stick out by more than this share of the margin are taken in; in phases that leave more
@@ -60,6 +62,24 @@ constexpr double kConfidence = 0.95;
 constexpr double kFirstSearch = 0.6;
 // Tell the random numbers of all kinds of shapes apart, and from those of a PointSet.
 constexpr std::uint32_t kContainmentStream = 3, kTightnessStream = 4;
+
+// What shapes stick out by at most, usual ones and those of RandomShape::of_rare [m].
+struct Protrusions {
+  double usual = 0.0, rare = 0.0;
+};
+
+Protrusions largestProtrusions(const std::vector<RandomShape>& shapes) {
+  Protrusions largest;
+  for (const RandomShape& shape : shapes) {
+    if (!shape.converged) continue;
+    if (shape.of_rare) {
+      largest.rare = std::max(largest.rare, *shape.of_rare);
+    } else {
+      largest.usual = std::max(largest.usual, shape.protrusion);
+    }
+  }
+  return largest;
+}
 
 class Generator {
  public:
@@ -166,13 +186,12 @@ class Generator {
   // Random shapes that stick out are taken in, until a round of others finds none. Where shapes are few, and
   // random ones hardly ever come, others like them are looked at too. Then the inflation is fixed.
   void learn() {
-    RareRounding rounding(stretches_.size());
+    Protrusions last;
     LearningPlaces places{
         space_, options_.from, end_, options_.seed, std::min(options_.verification, kLookedAt), {}};
     for (int round = 0; options_.verification > 0; ++round) {
       const std::vector<RandomShape> shapes = look(places.ofRound(round, likeRare(round)), round);
-      rounding = RareRounding(stretches_.size());
-      rounding.add(shapes);
+      last = largestProtrusions(shapes);
       const bool well = std::all_of(shapes.begin(), shapes.end(),
                                     [&](const RandomShape& shape) { return !sticksOut(shape); });
       if (well) break;
@@ -189,20 +208,16 @@ class Generator {
     }
     for (PhaseSearch& search : searches_) search.keepSlices();
     // Facets may still move out by what was not worthwhile; random shapes have missed the worst place by
-    // some.
+    // some. Rare shapes are few and far apart, so others stick out further, but only near pieces of theirs.
     if (!options_.conservative) return;
-    envelope_.inflation = 2.0 * std::max(rounding.usual(), kWorthwhile * options_.margin);
-    envelope_.largest_inflation = envelope_.inflation;
-    const std::vector<double> beyond = rounding.beyond(envelope_.inflation);
-    const double most = *std::max_element(beyond.begin(), beyond.end());
-    if (most <= 0.0) return;
-    searches_.front().roundRare(beyond);
-    envelope_.largest_inflation += most;
+    envelope_.inflation = kRounding * std::max(last.usual, kWorthwhile * options_.margin);
+    const double beyond = std::max(0.0, kRounding * last.rare - envelope_.inflation);
+    if (beyond > 0.0) searches_.front().roundRare(beyond);
+    envelope_.largest_inflation = envelope_.inflation + beyond;
   }
 
   std::size_t likeRare(int round) const {
-    if (searches_.size() > 1) return kLikeRareInMotion;
-    return round == kRounds ? kLikeRareLast : kLikeRare;
+    return round == kRounds && searches_.size() == 1 ? kLikeRareLast : kLikeRare;
   }
 
   std::vector<SamplePlace> rarePlaces(const std::vector<RandomShape>& shapes) const {

@@ -57,29 +57,22 @@ double ContainmentCheck::ownProtrusion(const PhaseSearch& phase, std::size_t fra
   return least;
 }
 
-// Per stretch, out of the pieces of the rare cluster that the shape as a whole sticks out of least.
-std::vector<float> ContainmentCheck::ofRare(const PhaseSearch& phase, const StretchShape& shape) {
-  std::vector<float> best;
-  float best_most = std::numeric_limits<float>::infinity();
+// Out of the pieces of the rare cluster that the shape as a whole sticks out of least; infinite without one.
+double ContainmentCheck::ofRare(const PhaseSearch& phase, const StretchShape& shape) {
+  double least = std::numeric_limits<double>::infinity();
   for (const PhaseSearch::Cluster& cluster : phase.clusters()) {
     if (!PhaseSearch::isRare(cluster)) continue;
-    std::vector<float> own(shape.radius.size(), 0.0F);
-    float most = 0.0F;
-    for (std::size_t frame = 0; frame < cluster.hulls.size() && most < best_most; ++frame) {
-      for (std::size_t i = 0; i < own.size(); ++i) {
+    double most = 0.0;
+    for (std::size_t frame = 0; frame < cluster.hulls.size() && most < least; ++frame) {
+      for (std::size_t i = 0; i < shape.radius.size(); ++i) {
         const double extra = shape.radius[i] - phase.pieceRadius(cluster, i);
-        for (const Eigen::Vector3d& point : shape.centreline(frame, i)) {
-          const double out = cluster.hulls[frame][i].hull().closest(point).distance + extra;
-          own[i] = std::max(own[i], static_cast<float>(out));
-        }
-        most = std::max(most, own[i]);
+        for (const Eigen::Vector3d& point : shape.centreline(frame, i))
+          most = std::max(most, cluster.hulls[frame][i].hull().closest(point).distance + extra);
       }
     }
-    if (most >= best_most) continue;
-    best_most = most;
-    best = std::move(own);
+    least = std::min(least, most);
   }
-  return best;
+  return least;
 }
 
 RandomShape ContainmentCheck::look(const SamplePlace& place, std::size_t phase_index,
@@ -107,12 +100,10 @@ RandomShape ContainmentCheck::look(const SamplePlace& place, std::size_t phase_i
   }
   // of many phases each has too few rare shapes to tell of others
   if (random.protrusion > 0.0 && phases_->size() == 1 && phase.isRare(shape, followed.jump.has_value())) {
-    random.of_rare = ofRare(phase, shape);
+    const double of_rare = ofRare(phase, shape);
     // far from all pieces of rare shapes it is not one of theirs
     constexpr double kOfTheirs = 3.0, kClose = 1e-4;
-    const auto most = std::max_element(random.of_rare.begin(), random.of_rare.end());
-    if (most != random.of_rare.end() && *most > kOfTheirs * random.protrusion + kClose)
-      random.of_rare.clear();
+    if (of_rare <= kOfTheirs * random.protrusion + kClose) random.of_rare = of_rare;
   }
   return random;
 }

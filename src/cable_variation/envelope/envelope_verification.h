@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <limits>
+#include <optional>
 #include <vector>
 
 #include <cable_variation/envelope/envelope.h>
@@ -17,9 +18,9 @@ struct RandomShape {
   double protrusion = 0.0;  ///< [m]; at most 0: it does not stick out
   std::size_t stretch = 0;  ///< where it sticks out most
   Eigen::Matrix3Xd jump;    ///< FollowedShape::Jump::motion(), if it snapped; else empty
-  /// Of a rare shape that sticks out, see RareRounding: per stretch, how far out of pieces of rare shapes, of
-  /// those that it sticks out of least [m]. Else empty.
-  std::vector<float> of_rare;
+  /// Of a rare shape that sticks out (it snapped, or is on the way of a snap): how far out of the pieces of
+  /// those rare shapes that it sticks out of least [m].
+  std::optional<double> of_rare;
 };
 
 /// Tells how far shapes stick out of the pieces that the searches have found, before inflation.
@@ -37,7 +38,7 @@ class ContainmentCheck {
     Eigen::Vector3d low, high;
     double radius;
   };
-  static std::vector<float> ofRare(const PhaseSearch& phase, const StretchShape& shape);
+  static double ofRare(const PhaseSearch& phase, const StretchShape& shape);
   static double ownProtrusion(const PhaseSearch& phase, std::size_t frame, std::size_t stretch,
                               const Eigen::Vector3d& point, double radius, double known);
   double outside(const Eigen::Vector3d& point, double radius, std::size_t frame, double most) const;

@@ -63,11 +63,11 @@ class PhaseSearch {
   /// Whether the cluster's shapes snapped, or are on the way of a snap.
   static bool isRare(const Cluster& cluster) { return cluster.branch > 0 || cluster.slice > 0; }
   bool isRare(const StretchShape& shape, bool snapped) const;
-  /// Rounds the pieces of rare clusters by more, per stretch [m].
-  void roundRare(std::vector<double> beyond) { beyond_ = std::move(beyond); }
+  /// Rounds the pieces of rare clusters by so much more [m].
+  void roundRare(double beyond) { beyond_ = beyond; }
   /// That a piece of the cluster is rounded by before inflation [m].
   double pieceRadius(const Cluster& cluster, std::size_t stretch) const {
-    return radius_[stretch] + (beyond_.empty() || !isRare(cluster) ? 0.0 : beyond_[stretch]);
+    return radius_[stretch] + (isRare(cluster) ? beyond_ : 0.0);
   }
 
   /// Equilibria that jumps of one kind lead to. The first is the design's own, followed.
@@ -134,7 +134,7 @@ class PhaseSearch {
   std::vector<std::size_t> sample_branch_;
   std::vector<double> trust_;  // per sample: the share of a way that its derivatives are believed for
   std::vector<double> own_radius_, radius_;  // of the shapes alone, and see radius()
-  std::vector<double> beyond_;               // see roundRare(); empty: nothing
+  double beyond_ = 0.0;                      // see roundRare() [m]
   std::vector<SnapWay::Progress> progress_;  // per sample
   std::vector<std::vector<Pose>> to_frame_;  // per sample, by frame; none if only seen from the world
   SnapWay way_;
