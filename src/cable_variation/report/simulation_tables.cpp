@@ -70,8 +70,7 @@ ReportTable meanTable(const Scene& scene, const SimulationStatistics& statistics
     const ShownUnit unit = shownUnit(measure.unit);
     const MeasureStatistics::Estimate mean = s.bestMean(), sigma = s.bestSigma();
     const auto cell = [&](double value) {
-      const bool out = (measure.lower && value < *measure.lower) || (measure.upper && value > *measure.upper);
-      return ReportCell{figure(unit.factor * value), 0.0, out};
+      return ReportCell{figure(unit.factor * value), 0.0, beyondLimits(measure, value)};
     };
     table.rows.push_back({plain(measure.name),
                           cell(statistics.nominal[i]),

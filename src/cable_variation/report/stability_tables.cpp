@@ -10,10 +10,6 @@ ReportCell limit(const std::optional<double>& value, const ShownUnit& unit) {
   return {value ? figure(unit.factor * *value) : "", 0.0, false};
 }
 
-bool inside(const Measure& measure, double value) {
-  return !(measure.lower && value < *measure.lower) && !(measure.upper && value > *measure.upper);
-}
-
 std::string unitsOf(const ShownUnit& measure, const ShownUnit& variable) {
   const std::string top = measure.name.empty() ? "1" : measure.name;
   return variable.name.empty() ? measure.name : top + "/" + variable.name;
@@ -40,7 +36,7 @@ ReportTable measureTable(const Scene& scene, const StabilityAnalysis& analysis) 
     if (!value.unique) note += std::string(note.empty() ? "" : "; ") + "found at more than one place";
     table.rows.push_back({{measure.name, 0.0, false},
                           {toString(measure.type), 0.0, false},
-                          {figure(unit.factor * value.value), 0.0, !inside(measure, value.value)},
+                          {figure(unit.factor * value.value), 0.0, beyondLimits(measure, value.value)},
                           limit(measure.lower, unit),
                           limit(measure.upper, unit),
                           {unit.name, 0.0, false},
@@ -67,7 +63,7 @@ ReportTable spreadTable(const Scene& scene, const StabilityAnalysis& analysis) {
       continue;
     }
     const auto cell = [&](double value) {
-      return ReportCell{figure(unit.factor * value), 0.0, !inside(measure, value)};
+      return ReportCell{figure(unit.factor * value), 0.0, beyondLimits(measure, value)};
     };
     table.rows.push_back({{measure.name, 0.0, false},
                           cell(mean),

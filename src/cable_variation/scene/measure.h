@@ -54,4 +54,9 @@ struct Measure {
 
 const char* toString(Measure::Type type);  ///< as in a scene file
 
+/// Whether all limits that the measure has are kept. What is not a number keeps none.
+bool withinLimits(const Measure& measure, double value);
+/// Whether one of them is passed. What is not a number passes none: it is missing, not bad.
+bool beyondLimits(const Measure& measure, double value);
+
 }  // namespace cable_variation

@@ -21,20 +21,6 @@ std::vector<std::string> namesOf(const std::vector<std::size_t>& cables, const S
   return names;
 }
 
-/// What both messages say of a measure.
-template <typename Message>
-Message described(const Measure& measure) {
-  Message message;
-  message.name = measure.name;
-  message.type = toString(measure.type);
-  message.unit = measure.unit;
-  message.has_lower = measure.lower.has_value();
-  message.lower = measure.lower.value_or(0.0);
-  message.has_upper = measure.upper.has_value();
-  message.upper = measure.upper.value_or(0.0);
-  return message;
-}
-
 }  // namespace
 
 MeasureInfo toInfo(const Measure& measure, const Scene& scene) {
@@ -54,10 +40,6 @@ MeasureInfo toInfo(const Measure& measure, const Scene& scene) {
   if (traitsOf(measure.type).subject == MeasureTraits::Subject::clip)
     info.clip = scene.harness.clips[measure.clip].name;
   return info;
-}
-
-bool withinLimits(const Measure& measure, double value) {
-  return (!measure.lower || value >= *measure.lower) && (!measure.upper || value <= *measure.upper);
 }
 
 MeasureResult toResult(const Measure& measure, const MeasureValue& value, const Scene& scene) {

@@ -3,6 +3,7 @@
 #include <limits>
 
 #include <ros_interface/conversion/matrix_conversion.h>
+#include <ros_interface/conversion/measure_conversion.h>
 #include <ros_interface/conversion/message_conversion.h>
 #include <ros_interface/conversion/scene_conversion.h>
 
@@ -68,14 +69,7 @@ ControlledResult toResult(const ControlledEstimate& controlled) {
 }
 
 MeasureStatisticsResult toResult(const Measure& measure, double nominal, const MeasureStatistics& found) {
-  MeasureStatisticsResult result;
-  result.name = measure.name;
-  result.type = toString(measure.type);
-  result.unit = measure.unit;
-  result.has_lower = measure.lower.has_value();
-  result.lower = measure.lower.value_or(0.0);
-  result.has_upper = measure.upper.has_value();
-  result.upper = measure.upper.value_or(0.0);
+  auto result = described<MeasureStatisticsResult>(measure);
   result.nominal = nominal;
   result.count = found.count;
   result.infinite = found.infinite;
