@@ -160,8 +160,8 @@ TEST(ConvexHull, ofManyPointsOnASphere) {
   EXPECT_EQ(hull.surface().vertices.size(), 10000U);
   // 2N - 4 facets of mean area 4π/2N: circumradii about 0.02, so a sagitta of 2e-4; ten times that for
   // uneven ones.
-  EXPECT_LT(hull.volume(), 4.0 / 3.0 * kPi);
-  EXPECT_GT(hull.volume(), 4.0 / 3.0 * kPi * 0.998);
+  EXPECT_LT(hull.volume(), 4.0 / 3.0 * M_PI);
+  EXPECT_GT(hull.volume(), 4.0 / 3.0 * M_PI * 0.998);
   for (int i = 0; i < 30; ++i) expectClosest(hull, 1.5 * randomPoint(random), 1e-14);
 }
 

@@ -46,7 +46,7 @@ std::vector<RoundedHull> ring(double radius) {
   std::vector<RoundedHull> bodies;
   constexpr int kSides = 24;
   const auto corner = [&](int i) {
-    return Eigen::Vector3d(0.03 * std::cos(2.0 * kPi * i / kSides), 0.03 * std::sin(2.0 * kPi * i / kSides),
+    return Eigen::Vector3d(0.03 * std::cos(2.0 * M_PI * i / kSides), 0.03 * std::sin(2.0 * M_PI * i / kSides),
                            0.0);
   };
   for (int i = 0; i < kSides; ++i) bodies.push_back(capsule(corner(i), corner(i + 1), radius));
@@ -112,8 +112,8 @@ TEST(OuterSurface, ofASphere) {
     EXPECT_LE(surface.excess, boundOf(0.01, surface.cell));
     // between the sphere and one with the excess all around (and the 1e-6 m of a point's body)
     const double volume = enclosedVolume(surface.mesh);
-    EXPECT_GE(volume, 4.0 / 3.0 * kPi * std::pow(0.01, 3));
-    EXPECT_LE(volume, 4.0 / 3.0 * kPi * std::pow(0.01 + 1e-6 + surface.excess, 3));
+    EXPECT_GE(volume, 4.0 / 3.0 * M_PI * std::pow(0.01, 3));
+    EXPECT_LE(volume, 4.0 / 3.0 * M_PI * std::pow(0.01 + 1e-6 + surface.excess, 3));
   }
 }
 
@@ -121,10 +121,10 @@ TEST(OuterSurface, ofACapsuleAndABox) {
   const std::vector<RoundedHull> slanted = {capsule({0.0, 0.0, 0.0}, {0.05, 0.03, 0.01}, 0.004)};
   const std::vector<RoundedHull> rounded = {box({-0.03, -0.01, 0.0}, {0.02, 0.02, 0.04}, 0.003)};
   const double length = std::sqrt(0.0035), r = 0.003;
-  const double capsule_volume = kPi * 0.004 * 0.004 * (length + 4.0 / 3.0 * 0.004);
+  const double capsule_volume = M_PI * 0.004 * 0.004 * (length + 4.0 / 3.0 * 0.004);
   // Steiner: volume, surface, edges and corners
   const double box_volume = 0.05 * 0.03 * 0.04 + 2.0 * r * (0.05 * 0.03 + 0.03 * 0.04 + 0.05 * 0.04) +
-                            kPi * r * r * (0.05 + 0.03 + 0.04) + 4.0 / 3.0 * kPi * r * r * r;
+                            M_PI * r * r * (0.05 + 0.03 + 0.04) + 4.0 / 3.0 * M_PI * r * r * r;
   for (const auto& [bodies, volume] : {std::pair(slanted, capsule_volume), std::pair(rounded, box_volume)}) {
     OuterSurfaceOptions options;
     options.excess = 1e-4;
@@ -148,7 +148,7 @@ TEST(OuterSurface, ofARingHasAHole) {
   EXPECT_EQ(surface.filled_voids, 0U);
   expectEncloses(surface, bodies);
   // Pappus, with the capsules' chords shorter than the circle's arcs by 1 - cos(π/24) < 1 %
-  const double torus = 2.0 * kPi * 0.03 * kPi * 0.004 * 0.004;
+  const double torus = 2.0 * M_PI * 0.03 * M_PI * 0.004 * 0.004;
   EXPECT_NEAR(enclosedVolume(surface.mesh) / torus, 1.0, 0.01 + 2.0 * surface.excess / 0.004);
 }
 
@@ -195,7 +195,7 @@ std::vector<RoundedHull> spreadCable(std::size_t stretches, std::size_t phases, 
         const Eigen::Vector3d middle(0.3 * s, 0.05 * std::sin(5.0 * s), 0.04 * std::cos(3.0 * s));
         for (int direction = 0; direction < 10; ++direction) {
           const Eigen::Vector3d off =
-              0.004 * std::sin(kPi * s) *
+              0.004 * std::sin(M_PI * s) *
               Eigen::Vector3d(0.3 * std::sin(direction), std::cos(direction), std::sin(2.0 * direction));
           points.push_back(middle + sweep * s + off);
         }
@@ -273,7 +273,7 @@ TEST(OuterSurface, KeepsToItsMemory) {
 TEST(OuterSurface, WhatItTakesIsKnownBeforehand) {
   constexpr double kRadius = 0.004, kSide = 0.06;
   const std::vector<RoundedHull> bodies = {capsule({0.0, 0.0, 0.0}, {kSide, 0.0, 0.0}, kRadius)};
-  const double area = 2.0 * kPi * kRadius * (kSide + 2.0 * kRadius);
+  const double area = 2.0 * M_PI * kRadius * (kSide + 2.0 * kRadius);
   for (const double excess : {1e-4, 2e-5}) {
     OuterSurfaceOptions options;
     options.excess = excess;

@@ -12,8 +12,6 @@
 namespace cable_variation {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 double volume(const TriangleMesh& mesh) {
   double sum = 0.0;
   for (const auto& t : mesh.triangles) {
@@ -44,7 +42,7 @@ TEST(Primitives, box) {
 TEST(Primitives, cylinder) {
   const TriangleMesh mesh = cylinderMesh(0.02, 0.3);
   EXPECT_TRUE(isClosed(mesh));
-  EXPECT_NEAR(volume(mesh) / (kPi * 0.02 * 0.02 * 0.3), 1.0, 0.01);
+  EXPECT_NEAR(volume(mesh) / (M_PI * 0.02 * 0.02 * 0.3), 1.0, 0.01);
   for (const Eigen::Vector3d& vertex : mesh.vertices) {
     EXPECT_NEAR(std::abs(vertex.z()), 0.15, 1e-15);
     const double radius = vertex.head<2>().norm();
@@ -55,7 +53,7 @@ TEST(Primitives, cylinder) {
 TEST(Primitives, sphere) {
   const TriangleMesh mesh = sphereMesh(0.05);
   EXPECT_TRUE(isClosed(mesh));
-  EXPECT_NEAR(volume(mesh) / (4.0 / 3.0 * kPi * std::pow(0.05, 3)), 1.0, 0.01);
+  EXPECT_NEAR(volume(mesh) / (4.0 / 3.0 * M_PI * std::pow(0.05, 3)), 1.0, 0.01);
   for (const Eigen::Vector3d& vertex : mesh.vertices) EXPECT_NEAR(vertex.norm(), 0.05, 1e-15);
 }
 

@@ -7,8 +7,6 @@
 
 namespace cable_variation {
 
-constexpr double kPi = 3.14159265358979323846;
-
 using Points = std::vector<Eigen::Vector3d>;
 
 /// In the cube from -1 to 1.

@@ -10,7 +10,6 @@
 namespace cable_variation {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kOnBorder = 1e-9;  // middles this close to a border may be on either side [m]
 
 Eigen::Vector3d randomPoint(std::mt19937_64& random) {
@@ -97,12 +96,12 @@ TEST(VoxelSet, volumes) {
   const Eigen::Vector3d half(0.01, 0.007, -0.004);
   VoxelSet ball(cube(0.03), edge);
   ball.addTube({0.3 * half}, radius);
-  const double ball_volume = 4.0 / 3.0 * kPi * std::pow(radius, 3);
-  EXPECT_NEAR(ball.volume() / ball_volume, 1.0, 0.1 * 4.0 * kPi * radius * radius * edge / ball_volume);
+  const double ball_volume = 4.0 / 3.0 * M_PI * std::pow(radius, 3);
+  EXPECT_NEAR(ball.volume() / ball_volume, 1.0, 0.1 * 4.0 * M_PI * radius * radius * edge / ball_volume);
 
   VoxelSet capsule(cube(0.03), edge);
   capsule.addCapsule(-half, half, radius);
-  const double capsule_volume = ball_volume + kPi * radius * radius * 2.0 * half.norm();
+  const double capsule_volume = ball_volume + M_PI * radius * radius * 2.0 * half.norm();
   EXPECT_NEAR(capsule.volume() / capsule_volume, 1.0, 0.005);
 
   // The same as a body, but for middles that are as close to the border as rounding.

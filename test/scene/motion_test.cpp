@@ -16,8 +16,6 @@
 namespace cable_variation {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 Motion quarterTurn() {
   Motion motion;
   motion.name = "turn";
@@ -47,7 +45,7 @@ TEST(Tum, startsAtZeroAndSkipsComments) {
   EXPECT_DOUBLE_EQ(motion.samples[1].time, 1.0);
   EXPECT_DOUBLE_EQ(motion.duration(), 3.0);
   EXPECT_EQ(motion.samples[2].pose.position, Eigen::Vector3d(0.1, 0.2, 0.0));
-  EXPECT_NEAR(angleAboutZ(motion.samples[2].pose), kPi / 2.0, 1e-12);
+  EXPECT_NEAR(angleAboutZ(motion.samples[2].pose), M_PI / 2.0, 1e-12);
 }
 
 TEST(Tum, namesTheLineOfAFault) {
@@ -176,18 +174,18 @@ TEST(Tum, holdsTheEngineRunOfTheHoseCase) {
   }
   EXPECT_GT((most - least).head<3>().minCoeff(), 1e-3);
   EXPECT_LT((most - least).head<3>().maxCoeff(), 20e-3);
-  EXPECT_GT((most - least).tail<3>().minCoeff(), 0.3 * kPi / 180.0);
-  EXPECT_LT((most - least).tail<3>().maxCoeff(), 10.0 * kPi / 180.0);
+  EXPECT_GT((most - least).tail<3>().minCoeff(), 0.3 * M_PI / 180.0);
+  EXPECT_LT((most - least).tail<3>().maxCoeff(), 10.0 * M_PI / 180.0);
 }
 
 TEST(PoseAt, isLinearInPositionAndConstantInAngularVelocity) {
   const Motion motion = quarterTurn();
   const Pose half = poseAt(motion, 0.5);
   EXPECT_NEAR((half.position - Eigen::Vector3d(0.05, 0.0, 0.0)).norm(), 0.0, 1e-15);
-  EXPECT_NEAR(angleAboutZ(half), kPi / 8.0, 1e-12);
+  EXPECT_NEAR(angleAboutZ(half), M_PI / 8.0, 1e-12);
   const Pose later = poseAt(motion, 2.5);
   EXPECT_NEAR((later.position - Eigen::Vector3d(0.1, 0.15, 0.0)).norm(), 0.0, 1e-15);
-  EXPECT_NEAR(angleAboutZ(later), kPi / 4.0 + 0.75 * kPi / 4.0, 1e-12);
+  EXPECT_NEAR(angleAboutZ(later), M_PI / 4.0 + 0.75 * M_PI / 4.0, 1e-12);
 }
 
 TEST(PoseAt, turnsTheShortWayWhateverTheSignOfTheQuaternion) {

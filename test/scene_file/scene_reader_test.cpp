@@ -15,8 +15,6 @@ namespace {
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-constexpr double kPi = 3.14159265358979323846;
-
 const Scene& everything() {
   static const Scene scene =
       readScene(findTestPackage("test_data") + "/scenes/everything.yaml", findTestPackage);
@@ -69,11 +67,11 @@ TEST(SceneReader, cables) {
   const Cable& main = named(everything().harness.cables, "main");
   EXPECT_DOUBLE_EQ(main.length, 0.312);
   ASSERT_EQ(main.sections.size(), 1U);
-  EXPECT_NEAR(main.sections[0].section.EA, 1e8 * kPi * 16e-6, 1e-6);
-  EXPECT_NEAR(main.sections[0].section.mass_per_length, 2000.0 * kPi * 16e-6, 1e-12);
+  EXPECT_NEAR(main.sections[0].section.EA, 1e8 * M_PI * 16e-6, 1e-6);
+  EXPECT_NEAR(main.sections[0].section.mass_per_length, 2000.0 * M_PI * 16e-6, 1e-12);
   ASSERT_EQ(main.via.size(), 2U);
   expectNear(main.via[1], {0.2, 0.0, 0.05});
-  EXPECT_NEAR(*main.twist, -3.0 * kPi, 1e-12);
+  EXPECT_NEAR(*main.twist, -3.0 * M_PI, 1e-12);
 
   const Section& hose = named(everything().harness.cables, "hose").sections[0].section;
   EXPECT_DOUBLE_EQ(hose.GA_y, 410.0);
@@ -133,7 +131,7 @@ TEST(SceneReader, clipPresets) {
   EXPECT_DOUBLE_EQ(grommet.rotation[1].stiffness, 0.2);
   const ClipConstraint& general = named(clips, "general").constraint;
   EXPECT_DOUBLE_EQ(general.translation[2].stiffness, 3000.0);
-  EXPECT_NEAR(general.rotation[1].stiffness, 0.5e-3 * 180.0 / kPi, 1e-12);
+  EXPECT_NEAR(general.rotation[1].stiffness, 0.5e-3 * 180.0 / M_PI, 1e-12);
 }
 
 TEST(SceneReader, clipPosesAreResolvedToTheWorld) {
@@ -157,7 +155,7 @@ TEST(SceneReader, jointsAndLoads) {
   EXPECT_EQ(harness.cables[breakout.child].name, "branch");
   EXPECT_DOUBLE_EQ(breakout.parent_arc_length, 0.258);
   EXPECT_DOUBLE_EQ(breakout.child_arc_length, 0.0);
-  const double turn = 35.0 * kPi / 180.0;
+  const double turn = 35.0 * M_PI / 180.0;
   expectNear(breakout.rotation * Vector3d::UnitX(), {std::cos(turn), std::sin(turn), 0.0});
   const Joint& hinged = named(harness.joints, "hinged");
   EXPECT_EQ(hinged.type, Joint::Type::hinge);
@@ -177,7 +175,7 @@ TEST(SceneReader, designVariables) {
   const DesignVariable& turn = named(variables, "clip_turn");
   EXPECT_EQ(turn.unit, "rad");
   EXPECT_EQ(turn.nominal, 0.0);
-  EXPECT_NEAR(turn.upper, 5.0 * kPi / 180.0, 1e-15);
+  EXPECT_NEAR(turn.upper, 5.0 * M_PI / 180.0, 1e-15);
   EXPECT_EQ(turn.lower, -turn.upper);
   EXPECT_EQ(turn.distribution_parameters.at("sigma"), 3.0);
 
@@ -239,7 +237,7 @@ TEST(SceneReader, regionsAreVariablesThatBelongTogether) {
   const DesignVariable& aim_ry = variables[aim.variables[0]];
   EXPECT_EQ(aim_ry.name, "aim_ry");
   EXPECT_EQ(std::get<ClipRotation>(aim_ry.target).axis, Axis::y);
-  EXPECT_NEAR(aim_ry.upper, 2.0 * kPi / 180.0, 1e-15);
+  EXPECT_NEAR(aim_ry.upper, 2.0 * M_PI / 180.0, 1e-15);
   EXPECT_EQ(aim_ry.distribution_parameters.at("sigma"), 2.0);
 }
 
@@ -294,7 +292,7 @@ TEST(SceneReader, measuresOfShape) {
   EXPECT_EQ(twist.unit, "rad");
   EXPECT_DOUBLE_EQ(twist.from, 0.1);
   EXPECT_DOUBLE_EQ(twist.to, 0.33);
-  EXPECT_NEAR(*twist.upper, 20.0 * kPi / 180.0, 1e-15);
+  EXPECT_NEAR(*twist.upper, 20.0 * M_PI / 180.0, 1e-15);
 }
 
 TEST(SceneReader, measuresOfLoad) {

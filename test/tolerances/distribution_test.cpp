@@ -12,8 +12,6 @@
 namespace cable_variation {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 using Parameters = std::map<std::string, double>;
 
 DesignVariable variableOf(const std::string& distribution, const Parameters& parameters = {},
@@ -77,9 +75,9 @@ double expectation(const Distribution& distribution, const F& f) {
   double sum = 0.0;
   for (int i = 0; i < kPoints; ++i) {
     const double u = (i + 0.5) / kPoints;
-    const double t = 0.5 * (1.0 - std::cos(kPi * u));
-    const double p = 0.5 * (1.0 - std::cos(kPi * t));
-    const double weight = 0.25 * kPi * kPi * std::sin(kPi * u) * std::sin(kPi * t);
+    const double t = 0.5 * (1.0 - std::cos(M_PI * u));
+    const double p = 0.5 * (1.0 - std::cos(M_PI * t));
+    const double weight = 0.25 * M_PI * M_PI * std::sin(M_PI * u) * std::sin(M_PI * t);
     sum += weight * f(distribution.quantile(p)) / kPoints;
   }
   return sum;
@@ -133,7 +131,7 @@ TEST(Distribution, ClosedForms) {
   EXPECT_NEAR(normal->quantile(0.975), 1.0 + 1.959963984540054, 1e-13);
 
   // variance 1 - 2kφ(k)/(2Φ(k) - 1)
-  const double k = 2.0, phi = std::exp(-0.5 * k * k) / std::sqrt(2.0 * kPi);
+  const double k = 2.0, phi = std::exp(-0.5 * k * k) / std::sqrt(2.0 * M_PI);
   const auto truncated = makeDistribution(variableOf("truncated_normal", {{"sigma", k}}));
   EXPECT_NEAR(truncated->standardDeviation(),
               1.5 * std::sqrt(1.0 - 2.0 * k * phi / std::erf(k / std::sqrt(2.0))), 1e-13);
@@ -157,8 +155,8 @@ TEST(Distribution, ClosedForms) {
 
   // Rayleigh: mean Γ(3/2), variance 1 - π/4, in scales
   const auto weibull = makeDistribution(variableOf("weibull", {{"shape", 2.0}, {"scale", 1.5}}));
-  EXPECT_NEAR(weibull->mean(), -2.0 + 1.5 * std::sqrt(kPi) / 2.0, 1e-13);
-  EXPECT_NEAR(weibull->standardDeviation(), 1.5 * std::sqrt(1.0 - kPi / 4.0), 1e-13);
+  EXPECT_NEAR(weibull->mean(), -2.0 + 1.5 * std::sqrt(M_PI) / 2.0, 1e-13);
+  EXPECT_NEAR(weibull->standardDeviation(), 1.5 * std::sqrt(1.0 - M_PI / 4.0), 1e-13);
   // without a scale as much lies outside the tolerance as of a normal one at 3 sigma
   const auto fitted = makeDistribution(variableOf("weibull", {{"shape", 1.2}}));
   EXPECT_NEAR(1.0 - fitted->cdf(4.0), std::erfc(3.0 / std::sqrt(2.0)), 1e-12);

@@ -9,8 +9,6 @@
 namespace cable_variation {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 std::string refusal(const std::string& text, const Quantity& quantity) {
   try {
     parseQuantity(text, quantity);
@@ -36,10 +34,10 @@ TEST(Quantity, takesUnitsToSi) {
       {"10 \u00b5m", quantity::length, 1e-5},
       {"2 in", quantity::length, 0.0508},
       {"1e-2 m", quantity::length, 0.01},
-      {"180 deg", quantity::angle, kPi},
-      {"90\u00b0", quantity::angle, kPi / 2.0},
-      {"1.5 turns", quantity::angle, 3.0 * kPi},
-      {"2 rev", quantity::angle, 4.0 * kPi},
+      {"180 deg", quantity::angle, M_PI},
+      {"90\u00b0", quantity::angle, M_PI / 2.0},
+      {"1.5 turns", quantity::angle, 3.0 * M_PI},
+      {"2 rev", quantity::angle, 4.0 * M_PI},
       {"5 mrad", quantity::angle, 0.005},
       {"2 kN", quantity::force, 2000.0},
       {"3 kg m/s^2", quantity::force, 3.0},
@@ -48,7 +46,7 @@ TEST(Quantity, takesUnitsToSi) {
       {"2 J", quantity::moment, 2.0},
       {"5 N/mm", quantity::spring, 5000.0},
       {"0.1 N mm/rad", quantity::torsion_spring, 1e-4},
-      {"1 N m/deg", quantity::torsion_spring, 180.0 / kPi},
+      {"1 N m/deg", quantity::torsion_spring, 180.0 / M_PI},
       {"7 N m", quantity::torsion_spring, 7.0},
       {"100 MPa", quantity::pressure, 1e8},
       {"0.2 GPa", quantity::pressure, 2e8},

@@ -51,7 +51,7 @@ TEST(Unit, compoundsAreReadHoweverTheyAreWritten) {
       {"N/(mm)", 1e3, spring},
       {"Nm/rad", 1.0, torsion},
       {"Nmm/rad", 1e-3, torsion},
-      {"Nmm/deg", 1e-3 * 180.0 / 3.14159265358979323846, torsion},
+      {"Nmm/deg", 1e-3 * 180.0 / M_PI, torsion},
       {"MPa", 1e6, pressure},
       {"N/mm\u00b2", 1e6, pressure},
       {"N/(mm mm)", 1e6, pressure},
@@ -65,7 +65,7 @@ TEST(Unit, compoundsAreReadHoweverTheyAreWritten) {
       {"1/mm", 1e3, curvature},
       {"/m", 1.0, curvature},
       {"rad/m", 1.0, {0, -1, 0, 1}},
-      {"turns", 2.0 * 3.14159265358979323846, {0, 0, 0, 1}},
+      {"turns", 2.0 * M_PI, {0, 0, 0, 1}},
       {"mm\u00b2", 1e-6, {0, 2, 0, 0}},
       {"t/mm\u00b3", 1e12, {1, -3, 0, 0}},
   };

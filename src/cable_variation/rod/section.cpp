@@ -7,8 +7,6 @@
 namespace cable_variation {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 void requirePositive(const char* what, double value) {
   if (std::isfinite(value) && value > 0.0) return;
   std::ostringstream text;
@@ -61,8 +59,8 @@ double rectangleTorsionConstant(double width, double height) {
   const double a = std::fmax(width, height);
   const double b = std::fmin(width, height);
   double sum = 0.0;
-  for (int n = 1; n < 40; n += 2) sum += std::tanh(n * kPi * a / (2.0 * b)) / std::pow(n, 5);
-  return a * b * b * b * (1.0 / 3.0 - 64.0 / std::pow(kPi, 5) * b / a * sum);
+  for (int n = 1; n < 40; n += 2) sum += std::tanh(n * M_PI * a / (2.0 * b)) / std::pow(n, 5);
+  return a * b * b * b * (1.0 / 3.0 - 64.0 / std::pow(M_PI, 5) * b / a * sum);
 }
 
 }  // namespace
@@ -70,8 +68,8 @@ double rectangleTorsionConstant(double width, double height) {
 Section solidSection(double radius, const Material& material, double shear_correction) {
   requirePositive("radius", radius);
   const double r2 = radius * radius;
-  const double I = 0.25 * kPi * r2 * r2;
-  return sectionOf({kPi * r2, I, I, 2.0 * I, radius}, material, shear_correction);
+  const double I = 0.25 * M_PI * r2 * r2;
+  return sectionOf({M_PI * r2, I, I, 2.0 * I, radius}, material, shear_correction);
 }
 
 Section hoseSection(double outer_radius, double inner_radius, const Material& material,
@@ -86,8 +84,8 @@ Section hoseSection(double outer_radius, double inner_radius, const Material& ma
   }
   const double o2 = outer_radius * outer_radius;
   const double i2 = inner_radius * inner_radius;
-  const double I = 0.25 * kPi * (o2 * o2 - i2 * i2);
-  return sectionOf({kPi * (o2 - i2), I, I, 2.0 * I, outer_radius}, material, shear_correction);
+  const double I = 0.25 * M_PI * (o2 * o2 - i2 * i2);
+  return sectionOf({M_PI * (o2 - i2), I, I, 2.0 * I, outer_radius}, material, shear_correction);
 }
 
 Section rectangleSection(double width, double height, const Material& material, double shear_correction) {

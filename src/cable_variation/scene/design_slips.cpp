@@ -8,8 +8,6 @@
 namespace cable_variation {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 struct Unit {
   const char* name;
   double factor;
@@ -60,11 +58,11 @@ std::string turnSlip(double angle) {
   constexpr double kRounding = 1e-9;
   constexpr double kLeastWhole = 2.0;  // [rad]: nobody turns by a whole number of radians
   const double size = std::abs(angle);
-  const double half_turns = size / kPi;
+  const double half_turns = size / M_PI;
   const bool whole = size >= kLeastWhole && std::abs(size - std::round(size)) < kRounding;
-  const bool far = size > 2.0 * kPi && std::abs(half_turns - std::round(half_turns)) > 0.01;
+  const bool far = size > 2.0 * M_PI && std::abs(half_turns - std::round(half_turns)) > 0.01;
   if (!whole && !far) return "";
-  return "it is " + shortNumber(angle) + " rad, which is " + shortNumber(angle * 180.0 / kPi) +
+  return "it is " + shortNumber(angle) + " rad, which is " + shortNumber(angle * 180.0 / M_PI) +
          " deg; in deg?";
 }
 

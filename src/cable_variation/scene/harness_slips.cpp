@@ -8,7 +8,6 @@
 namespace cable_variation {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kLongestSpan = 10.0;     // cable per distance of the clips that hold it
 constexpr double kLongestBranch = 100.0;  // likewise, of clips on other cables
 constexpr double kLongestBare = 10.0;     // [m], of a length without a unit that nothing explains
@@ -60,7 +59,7 @@ double longestCable(const Harness& harness) {
   return longest;
 }
 
-double roundArea(double radius) { return kPi * radius * radius; }
+double roundArea(double radius) { return M_PI * radius * radius; }
 double roundSecondMoment(double radius) { return 0.25 * roundArea(radius) * radius * radius; }
 
 double mostBendingStiffness(double EA, double radius) {

@@ -150,7 +150,7 @@ class UrdfReader {
   }
 
   void checkTurns(const std::string& name, const urdf::Joint& joint, const JointPosition& position) {
-    constexpr double kTurn = 2.0 * 3.14159265358979323846;
+    constexpr double kTurn = 2.0 * M_PI;
     const bool turns = joint.type == urdf::Joint::REVOLUTE || joint.type == urdf::Joint::CONTINUOUS;
     if (turns && position.unit == JointPosition::Unit::none && std::abs(position.value) > kTurn) {
       warnings_.push_back("joint '" + name + "' is at " + shortNumber(position.value) +

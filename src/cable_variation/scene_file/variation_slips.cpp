@@ -8,11 +8,10 @@
 namespace cable_variation {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kMostTurn = kPi;            // [rad], of a tolerance: either way that is everything
-constexpr double kMostBareTurn = kPi / 6.0;  // likewise without a unit
-constexpr double kBareShare = 0.1;           // of the thing's length, of a tolerance without a unit
-constexpr double kLeastBare = 0.1;           // [m], of such a tolerance: the smallest that is usual in mm
+constexpr double kMostTurn = M_PI;            // [rad], of a tolerance: either way that is everything
+constexpr double kMostBareTurn = M_PI / 6.0;  // likewise without a unit
+constexpr double kBareShare = 0.1;            // of the thing's length, of a tolerance without a unit
+constexpr double kLeastBare = 0.1;            // [m], of such a tolerance: the smallest that is usual in mm
 
 // What a tolerance is of: a phrase for it, and its measure in the variable's unit.
 struct Reference {
@@ -62,9 +61,9 @@ void checkAngle(const YamlCursor& number, double deviation) {
   const bool bare = number.isBareNumber();
   const double angle = std::abs(deviation);
   if (angle <= (bare ? kMostBareTurn : kMostTurn)) return;
-  if (bare && angle > 2.0 * kPi) return;  // told where it was read
+  if (bare && angle > 2.0 * M_PI) return;  // told where it was read
   number.warn(number.found() + ", which is " + shortNumber(angle) + " rad or " +
-              shortNumber(angle * 180.0 / kPi) + " deg either way" +
+              shortNumber(angle * 180.0 / M_PI) + " deg either way" +
               (bare ? "; in deg?" : "; is that meant?"));
 }
 

@@ -10,7 +10,7 @@ namespace cable_variation {
 namespace {
 
 const std::string kMergeKey = "<<";
-constexpr double kTurn = 2.0 * 3.14159265358979323846;
+constexpr double kTurn = 2.0 * M_PI;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 int lineOf(const YAML::Node& node) { return node.Mark().line + 1; }

@@ -19,7 +19,6 @@
 namespace cable_variation {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kUsualSigma = 3.0;
 
 // offset + scale * (a distribution of Boost.Math).
@@ -66,8 +65,8 @@ class SkewNormal final : public Distribution {
   // Mean ξ + ω δ √(2/π), variance ω² (1 - 2 δ²/π), with δ = α / √(1 + α²).
   static boost::math::skew_normal baseOf(double mean, double standard_deviation, double shape) {
     const double delta = shape / std::hypot(1.0, shape);
-    const double scale = standard_deviation / std::sqrt(1.0 - 2.0 * delta * delta / kPi);
-    return {mean - scale * delta * std::sqrt(2.0 / kPi), scale, shape};
+    const double scale = standard_deviation / std::sqrt(1.0 - 2.0 * delta * delta / M_PI);
+    return {mean - scale * delta * std::sqrt(2.0 / M_PI), scale, shape};
   }
 
   double mean_, standard_deviation_;

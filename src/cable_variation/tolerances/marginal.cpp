@@ -9,7 +9,6 @@ namespace cable_variation {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kReach = 5.0;  // normal scores tabulated
 constexpr std::size_t kPieces = 40;
 constexpr double kWidth = 2.0 * kReach / kPieces;
@@ -46,19 +45,19 @@ Marginal::Piece Marginal::pieceAt(std::size_t index) const {
   Piece piece;
   std::array<double, kTerms> values;
   for (std::size_t j = 0; j < kTerms; ++j) {
-    values[j] = exact(std::cos(kPi * (static_cast<double>(j) + 0.5) / kTerms));
+    values[j] = exact(std::cos(M_PI * (static_cast<double>(j) + 0.5) / kTerms));
   }
   for (std::size_t k = 0; k < kTerms; ++k) {
     double sum = 0.0;
     for (std::size_t j = 0; j < kTerms; ++j) {
-      sum += values[j] * std::cos(kPi * static_cast<double>(k) * (static_cast<double>(j) + 0.5) / kTerms);
+      sum += values[j] * std::cos(M_PI * static_cast<double>(k) * (static_cast<double>(j) + 0.5) / kTerms);
     }
     piece.chebyshev[k] = (k == 0 ? 1.0 : 2.0) / kTerms * sum;
   }
   // between the nodes, where the error of a smooth quantile is largest, and at the ends
   piece.good = true;
   for (std::size_t j = 0; j <= kTerms; ++j) {
-    const double x = std::cos(kPi * static_cast<double>(j) / kTerms);
+    const double x = std::cos(M_PI * static_cast<double>(j) / kTerms);
     if (!(std::abs(valueOf(piece.chebyshev, x) - exact(x)) < kError * sigma_)) piece.good = false;
   }
   return piece;

@@ -12,8 +12,6 @@
 namespace cable_variation {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 // The share of a chi-squared variable of `freedoms` degrees of freedom below x.
 double chiSquaredShare(int freedoms, double x) { return boost::math::gamma_p(0.5 * freedoms, 0.5 * x); }
 
@@ -52,7 +50,7 @@ double RegionDistribution::cdf(double deviation) const {
       40.0;  // standard deviations beyond which there is none: a wide region's outside
   const double end = std::asin(std::min(std::abs(u), kNothing / k));
   const double part = u == 0.0 ? 0.0 : Quadrature::integrate(density, 0.0, end, kDepth, kRelativeError);
-  const double whole = std::sqrt(2.0 * kPi) * chiSquaredShare(dimensions_, k * k);
+  const double whole = std::sqrt(2.0 * M_PI) * chiSquaredShare(dimensions_, k * k);
   return 0.5 + std::copysign(part / whole, u);
 }
 

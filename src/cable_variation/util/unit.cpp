@@ -9,7 +9,6 @@
 namespace cable_variation {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kGravity = 9.80665;   // [m/s^2], of weights as forces
 constexpr double kPound = 0.45359237;  // [kg]
 constexpr double kInch = 0.0254;       // [m]
@@ -29,12 +28,12 @@ const std::map<std::string, Unit>& units() {
       {"ft", {12.0 * kInch, kMetre}},
       {"rad", {1.0, kRadian}},
       {"mrad", {1e-3, kRadian}},
-      {"deg", {kPi / 180.0, kRadian}},
-      {"degree", {kPi / 180.0, kRadian}},
-      {"degrees", {kPi / 180.0, kRadian}},
-      {"rev", {2.0 * kPi, kRadian}},
-      {"turn", {2.0 * kPi, kRadian}},
-      {"turns", {2.0 * kPi, kRadian}},
+      {"deg", {M_PI / 180.0, kRadian}},
+      {"degree", {M_PI / 180.0, kRadian}},
+      {"degrees", {M_PI / 180.0, kRadian}},
+      {"rev", {2.0 * M_PI, kRadian}},
+      {"turn", {2.0 * M_PI, kRadian}},
+      {"turns", {2.0 * M_PI, kRadian}},
       {"t", {1e3, kKilogram}},
       {"kg", {1.0, kKilogram}},
       {"g", {1e-3, kKilogram}},

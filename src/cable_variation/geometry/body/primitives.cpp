@@ -8,7 +8,6 @@
 namespace cable_variation {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kSagitta = 5e-5;  // wanted gap between a chord and its arc [m]
 
 void checkSize(const char* what, double value) {
@@ -21,7 +20,7 @@ void checkSize(const char* what, double value) {
 // Number of chords of a circle that keep the sagitta, within what stays cheap to draw.
 std::uint32_t chords(double radius, std::uint32_t most) {
   const double half_angle = std::acos(std::max(0.0, 1.0 - kSagitta / radius));
-  return std::clamp(static_cast<std::uint32_t>(std::ceil(std::min(kPi / half_angle, 1e6))), 16u, most);
+  return std::clamp(static_cast<std::uint32_t>(std::ceil(std::min(M_PI / half_angle, 1e6))), 16u, most);
 }
 
 // The surface swept by a profile (radius, height) about z, from its lowest to its
@@ -32,7 +31,7 @@ TriangleMesh revolved(const std::vector<std::pair<double, double>>& profile, std
   mesh.vertices.emplace_back(0.0, 0.0, profile.front().second);
   for (std::uint32_t ring = 1; ring <= rings; ++ring) {
     for (std::uint32_t i = 0; i < around; ++i) {
-      const double angle = 2.0 * kPi * i / around;
+      const double angle = 2.0 * M_PI * i / around;
       mesh.vertices.emplace_back(profile[ring].first * std::cos(angle), profile[ring].first * std::sin(angle),
                                  profile[ring].second);
     }
@@ -82,7 +81,7 @@ TriangleMesh sphereMesh(double radius) {
   const std::uint32_t bands = around / 2;
   std::vector<std::pair<double, double>> profile;
   for (std::uint32_t i = 0; i <= bands; ++i) {
-    const double polar = kPi * i / bands;
+    const double polar = M_PI * i / bands;
     profile.emplace_back(radius * std::sin(polar), -radius * std::cos(polar));
   }
   return revolved(profile, around);

@@ -8,8 +8,6 @@ namespace cable_variation {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 void checkArguments(const std::vector<Pose>& path, double radius, std::size_t sides, bool closed) {
   if (!(radius > 0.0) || !std::isfinite(radius)) {
     throw std::invalid_argument("tube: radius " + std::to_string(radius) + " m, expected above 0");
@@ -31,7 +29,7 @@ TriangleMesh tubeMesh(const std::vector<Pose>& path, double radius, std::size_t 
   mesh.vertices.reserve(path.size() * sides + 2);
   for (const Pose& pose : path) {
     for (std::size_t k = 0; k < sides; ++k) {
-      const double angle = 2.0 * kPi * static_cast<double>(k) / static_cast<double>(sides);
+      const double angle = 2.0 * M_PI * static_cast<double>(k) / static_cast<double>(sides);
       mesh.vertices.push_back(pose *
                               Eigen::Vector3d(0.0, radius * std::cos(angle), radius * std::sin(angle)));
     }
