@@ -88,7 +88,7 @@ std::size_t EnvelopeMemory::mostPhases(double limit) const {
 std::size_t EnvelopeMemory::mostShapes(double limit, std::size_t phases) const {
   const double of_all = (phases == 1 ? kForSearches + kForPhases : kForSearches) * limit;
   const double each = of_all / std::min(threads(), count(phases));
-  return countWithin(std::max(0.0, each - count(kClusters) * hulls), shape);
+  return countWithin(std::max(0.0, each - ofSearch(0, kClusters)), shape);
 }
 
 void refuseMoreThanMemory(const EnvelopeOptions& options, const EnvelopeMemory& memory,

@@ -20,10 +20,7 @@ Eigen::Vector3d withinHalfTurn(const Eigen::Vector3d& rotation) {
 
 StationUnknowns::StationUnknowns(const Harness& harness, const Topology& topology)
     : harness_(harness), topology_(topology), layout_(topology.stations.size()) {
-  const auto add = [this](std::size_t station) {
-    owner_.push_back(station);
-    return count_++;
-  };
+  const auto add = [this] { return count_++; };
   for (std::size_t i = 0; i < topology.stations.size(); ++i) {
     const Station& station = topology.stations[i];
     Layout& layout = layout_[i];
@@ -31,21 +28,21 @@ StationUnknowns::StationUnknowns(const Harness& harness, const Topology& topolog
       const ClipConstraint& constraint = harness.clips[*station.clip].constraint;
       layout.rotation_vector = constraint.holdsRotation();
       for (std::size_t k = 0; k < 3; ++k) {
-        if (constraint.translation[k].kind != ClipFreedom::Kind::locked) layout.translation[k] = add(i);
+        if (constraint.translation[k].kind != ClipFreedom::Kind::locked) layout.translation[k] = add();
       }
       for (std::size_t k = 0; k < 3; ++k) {
-        if (constraint.rotation[k].kind != ClipFreedom::Kind::locked) layout.rotation[k] = add(i);
+        if (constraint.rotation[k].kind != ClipFreedom::Kind::locked) layout.rotation[k] = add();
       }
-      if (constraint.slides) layout.slide = add(i);
+      if (constraint.slides) layout.slide = add();
     } else if (station.joint) {
       const Joint::Type type = harness.joints[*station.joint].type;
       if (type == Joint::Type::pivot) {
-        for (int& unknown : layout.rotation) unknown = add(i);
+        for (int& unknown : layout.rotation) unknown = add();
       }
-      if (type == Joint::Type::hinge) layout.hinge = add(i);
+      if (type == Joint::Type::hinge) layout.hinge = add();
     } else {
-      for (int& unknown : layout.translation) unknown = add(i);
-      for (int& unknown : layout.rotation) unknown = add(i);
+      for (int& unknown : layout.translation) unknown = add();
+      for (int& unknown : layout.rotation) unknown = add();
     }
   }
   for (std::size_t i : topology.order) {

@@ -35,8 +35,6 @@ class StationUnknowns {
   int rotations(std::size_t station) const { return layout_[station].rotations; }
   /// Whether nothing about the station's pose is unknown.
   bool isHeld(std::size_t station) const { return layout_[station].held; }
-  /// The station whose length scale an unknown has, for regularisation.
-  std::size_t stationOf(int unknown) const { return owner_[static_cast<std::size_t>(unknown)]; }
 
   /// How the unknowns move every station of `configuration`.
   std::vector<std::vector<UnknownEffect>> effects(const Configuration& configuration) const;
@@ -76,7 +74,6 @@ class StationUnknowns {
   const Harness& harness_;
   const Topology& topology_;
   std::vector<Layout> layout_;
-  std::vector<std::size_t> owner_;
   int count_ = 0;
 };
 

@@ -41,7 +41,6 @@ class GuideCurve {
   double start() const { return samples_.front().arc_length; }
   double end() const { return samples_.back().arc_length; }
   Pose at(double arc_length) const;
-  Eigen::Vector3d firstTangent() const { return samples_.front().tangent; }
 
  private:
   struct Sample {
