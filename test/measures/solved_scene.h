@@ -1,6 +1,6 @@
 #pragma once
 
-// Scenes around the harnesses of harness/cases.h, and their equilibria, kept together.
+// Scenes around the harnesses of equilibrium/cases.h, and their equilibria, kept together.
 
 #include <memory>
 #include <string>

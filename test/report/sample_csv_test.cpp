@@ -1,7 +1,6 @@
 // Samples written as they come: complete, or marked as partial; a disk that fills is an error.
 #include <cable_variation/report/sample_csv.h>
 
-#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -9,11 +8,11 @@
 #include <stdexcept>
 #include <string>
 
-#include <sys/resource.h>
-
 #include <gtest/gtest.h>
 
 #include <cable_variation/util/error.h>
+
+#include <small_files.h>
 
 namespace cable_variation {
 namespace {
@@ -144,18 +143,12 @@ TEST_F(SampleCsvTest, ARunKeepsItsFileWhileItWrites) {
   EXPECT_EQ(contentsOf(path_).find("solved"), std::string::npos);
 }
 
-// Files of this process may grow to 64 kB for a while: as a full disk, but for the system's words.
 TEST_F(SampleCsvTest, ADiskThatFillsIsAnError) {
-  rlimit usual;
-  getrlimit(RLIMIT_FSIZE, &usual);
-  rlimit small = usual;
-  small.rlim_cur = 65536;
-  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-  setrlimit(RLIMIT_FSIZE, &small);
   SampleCsv samples = csv();
   std::string said;
   std::uint64_t written = 0;
   try {
+    const SmallFiles small;
     for (; written < 10000; ++written) {
       const double value = 1.0 / 3.0;
       samples.add(written, SampleOutcome::solved, &value, &value);
@@ -163,8 +156,6 @@ TEST_F(SampleCsvTest, ADiskThatFillsIsAnError) {
   } catch (const FileError& error) {
     said = error.what();
   }
-  setrlimit(RLIMIT_FSIZE, &usual);
-  std::signal(SIGXFSZ, handler);
   EXPECT_LT(written, 10000u);
   EXPECT_NE(said.find("cannot be written: File too large"), std::string::npos) << said;
   EXPECT_FALSE(fs::exists(path_));

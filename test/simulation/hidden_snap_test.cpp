@@ -12,7 +12,7 @@
 #include <cable_variation/simulation/simulation.h>
 #include <cable_variation/util/counter_random.h>
 
-#include <envelope/envelope_scenes.h>
+#include <simulation/solved_design.h>
 
 namespace cable_variation::test {
 namespace {
@@ -66,19 +66,6 @@ Strip anyStrip(std::uint64_t row) {
   return strip;
 }
 
-struct Design {
-  Harness harness;
-  ComponentPoses components;
-  EquilibriumSolver solver;
-  Equilibrium equilibrium;
-
-  explicit Design(const Scene& scene)
-      : harness(harnessAt(scene, {})),
-        components(componentPosesAt(scene, {})),
-        solver(solverOf(scene)),
-        equilibrium(solver.solve(harness)) {}
-};
-
 Eigen::Matrix3Xd shapeOf(const Harness& harness, const Equilibrium& equilibrium) {
   Eigen::Matrix3Xd points(3, 9);
   for (int i = 0; i < 9; ++i)
@@ -93,7 +80,7 @@ double between(const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b) {
 // The turn at which the strip flips on its way to `end`, by steps of a fifth of a degree: where it moves by
 // two hundredths of its length in one of them, that step is gone through again in hundredths, and what still
 // moves as far in one of those does not go back.
-std::optional<double> flipOnTheWay(const Scene& scene, const Design& design, double end) {
+std::optional<double> flipOnTheWay(const Scene& scene, const SolvedDesign& design, double end) {
   EquilibriumSolver solver = design.solver;
   const double large = 0.02 * design.harness.cables[0].length;
   const auto go = [&](EquilibriumSolver& from, double turn) {
@@ -127,14 +114,13 @@ std::optional<double> flipOnTheWay(const Scene& scene, const Design& design, dou
   return std::nullopt;
 }
 
-StabilityAnalysis analysed(const Scene& scene, const Design& design) {
-  const MeasureEvaluator evaluator(scene, {design.harness, design.equilibrium, design.components});
-  return analyseStability(scene, evaluator, {}, design.solver);
+StabilityAnalysis analysed(const Scene& scene, const SolvedDesign& design) {
+  return analyseStability(scene, design.evaluator(scene), {}, design.solver);
 }
 
 void expectSnapsAreTold(const Strip& strip, const std::string& name, int& flips, int& quiet) {
   const Scene scene = sceneOfStrip(strip);
-  const Design design(scene);
+  const SolvedDesign design(scene);
   ASSERT_TRUE(design.equilibrium.converged()) << name << design.equilibrium.message;
   const StabilityAnalysis analysis = analysed(scene, design);
   for (const double side : {-1.0, 1.0}) {
@@ -190,16 +176,15 @@ TEST(HiddenSnap, OfSamplesIsCounted) {
     Scene scene = sceneOfStrip({0.31, 0.3, 0.02, 0.1, 0.0, tolerance * kDegree, true});
     scene.design_variables[0].distribution = "uniform";
     scene.design_variables[0].distribution_parameters.clear();
-    const Design design(scene);
+    const SolvedDesign design(scene);
     SimulationOptions options;
     options.variables = {0};
     options.samples = 200;
-    const MeasureEvaluator evaluator(scene, {design.harness, design.equilibrium, design.components});
     const std::optional<double> down = flipOnTheWay(scene, design, -tolerance * kDegree);
     const std::optional<double> up = flipOnTheWay(scene, design, tolerance * kDegree);
     ASSERT_TRUE(down || up);
     std::size_t snapped = 0;
-    simulateVariation(scene, evaluator, options, design.solver,
+    simulateVariation(scene, design.evaluator(scene), options, design.solver,
                       [&](std::uint64_t, SampleOutcome outcome, const double* deviations, const double*) {
                         const double turn = deviations[0];
                         const auto beyond = [&](const std::optional<double>& flip, double side,

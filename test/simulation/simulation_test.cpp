@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -16,7 +17,7 @@
 #include <cable_variation/simulation/worst_over_motion.h>
 #include <cable_variation/util/error.h>
 
-#include <envelope/envelope_scenes.h>
+#include <simulation/solved_design.h>
 
 namespace cable_variation::test {
 namespace {
@@ -37,6 +38,22 @@ Scene turningRod() {
     scene.measures.push_back(tip);
   }
   return scene;
+}
+
+// Lets the rod's clip ride on a part that moves for a second, recorded 200 times.
+void putOnMovingPart(Scene& scene, double from, const std::function<Pose(double time)>& pose_at) {
+  Component part;
+  part.name = "part";
+  scene.components.push_back(part);
+  scene.clip_mounts[0].component = part.name;
+  Motion motion;
+  motion.name = "swing";
+  motion.component = part.name;
+  for (int i = 0; i <= 200; ++i) {
+    const double time = from + 0.005 * i;
+    motion.samples.push_back({time, pose_at(time)});
+  }
+  scene.motions.push_back(motion);
 }
 
 struct Sample {
@@ -65,23 +82,9 @@ struct Produced {
   std::vector<Sample> samples;
 };
 
-struct Design {
-  Harness harness;
-  ComponentPoses components;
-  EquilibriumSolver solver;
-  Equilibrium equilibrium;
-
-  explicit Design(const Scene& scene)
-      : harness(harnessAt(scene, {})),
-        components(componentPosesAt(scene, {})),
-        solver(solverOf(scene)),
-        equilibrium(solver.solve(harness)) {}
-  MeasureEvaluator evaluator(const Scene& scene) const { return {scene, {harness, equilibrium, components}}; }
-};
-
 Produced simulate(const Scene& scene, const SimulationOptions& options,
                   const SimulationObserver& observer = {}) {
-  const Design design(scene);
+  const SolvedDesign design(scene);
   Produced run;
   const std::size_t variables = options.variables.size();
   const std::size_t measures = options.measures.empty() ? scene.measures.size() : options.measures.size();
@@ -173,7 +176,7 @@ TEST(simulation, solves_every_sample_as_the_solver_itself) {
   scene.measures.pop_back();  // the eigenvalue has a test of its own
   SimulationOptions options = optionsFor(scene, 64);
   const Produced run = simulate(scene, options);
-  const Design design(scene);
+  const SolvedDesign design(scene);
   const MeasureEvaluator evaluator = design.evaluator(scene);
   for (const Sample& sample : run.samples) {
     if (sample.outcome != SampleOutcome::solved) continue;
@@ -199,7 +202,7 @@ TEST(simulation, knows_the_smallest_eigenvalue_of_every_sample) {
   scene.measures = {scene.measures.back()};
   ASSERT_EQ(scene.measures[0].type, Measure::Type::eigenvalue);
   const Produced run = simulate(scene, optionsFor(scene, 24));
-  const Design design(scene);
+  const SolvedDesign design(scene);
   for (const Sample& sample : run.samples) {
     if (sample.outcome != SampleOutcome::solved) continue;
     EquilibriumSolver solver = design.solver;
@@ -315,7 +318,7 @@ TEST(simulation, counts_and_lists_what_snaps) {
   EXPECT_EQ(statistics.listed.size(), snapped);
   EXPECT_LT(first_snapped, last_solved);  // on one side of a turn, and on no other
   // that turn, found by following the strip in small steps
-  Design design(scene);
+  SolvedDesign design(scene);
   double before = 0.0, turn = 0.0;
   for (double height = 1.0; height > 0.0; turn -= 0.1 * kDegree) {
     before = turn;
@@ -330,20 +333,11 @@ TEST(simulation, counts_and_lists_what_snaps) {
 // together take it.
 TEST(simulation, over_a_motion_takes_the_worst_of_every_sample) {
   Scene scene = turningRod();
-  Component part;
-  part.name = "part";
-  scene.components.push_back(part);
-  scene.clip_mounts[0].component = "part";
-  Motion motion;
-  motion.name = "swing";
-  motion.component = "part";
   const double swing = 10.0 * kDegree;
-  for (int i = 0; i <= 200; ++i) {
-    const double time = 0.005 * i;
+  putOnMovingPart(scene, 0.0, [&](double time) -> Pose {
     const double angle = swing * std::sin(2.0 * M_PI * time);
-    motion.samples.push_back({time, {Eigen::Vector3d::Zero(), so3::exp(angle * Eigen::Vector3d::UnitY())}});
-  }
-  scene.motions.push_back(motion);
+    return {Eigen::Vector3d::Zero(), so3::exp(angle * Eigen::Vector3d::UnitY())};
+  });
   scene.measures[1].upper = 0.1;  // the tip is worst where it is highest
   SimulationOptions options = optionsFor(scene, 256);
   options.measures = {1};
@@ -377,20 +371,11 @@ TEST(simulation, over_a_motion_takes_the_worst_of_every_sample) {
 // do not change the times that the others are looked at.
 TEST(simulation, over_a_motion_an_infinite_measure_has_no_say) {
   Scene scene = turningRod();
-  Component part;
-  part.name = "part";
-  scene.components.push_back(part);
-  scene.clip_mounts[0].component = "part";
-  Motion motion;
-  motion.name = "swing";
-  motion.component = "part";
-  for (int i = 0; i <= 200; ++i) {
-    const double time = 1.0 + 0.005 * i;
+  putOnMovingPart(scene, 1.0, [](double time) -> Pose {
     const double angle = 10.0 * kDegree * std::sin(4.0 * M_PI * time);
-    const Eigen::Vector3d position = 0.05 * std::sin(2.0 * M_PI * time) * Eigen::Vector3d::UnitX();
-    motion.samples.push_back({time, {position, so3::exp(angle * Eigen::Vector3d::UnitY())}});
-  }
-  scene.motions.push_back(motion);
+    return {0.05 * std::sin(2.0 * M_PI * time) * Eigen::Vector3d::UnitX(),
+            so3::exp(angle * Eigen::Vector3d::UnitY())};
+  });
   scene.measures[0].lower = 0.0;
   scene.measures[0].upper = 0.2;
   Measure bend = measure(Measure::Type::bend_radius, "bend");

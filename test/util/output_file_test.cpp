@@ -1,7 +1,6 @@
 // Files that are there complete or not at all, whoever else writes them, and whatever the disk says.
 #include <cable_variation/util/output_file.h>
 
-#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -13,7 +12,6 @@
 #include <thread>
 #include <vector>
 
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -21,6 +19,8 @@
 #include <gtest/gtest.h>
 
 #include <cable_variation/util/error.h>
+
+#include <small_files.h>
 
 namespace cable_variation {
 namespace {
@@ -161,19 +161,13 @@ TEST_F(OutputFileTest, AFolderThatIsNotThereIsNamed) {
   EXPECT_EQ(names(), (std::set<std::string>{"file", "taken"}));
 }
 
-// Files of this process may not grow for a while: as a full disk, but for the system's words.
 TEST_F(OutputFileTest, ADiskThatFillsLeavesTheOldFileAndNothingElse) {
   const std::string path = folder_ / "report.html";
   writeFile(path, "old");
-  rlimit usual;
-  getrlimit(RLIMIT_FSIZE, &usual);
-  rlimit small = usual;
-  small.rlim_cur = 65536;
-  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-  setrlimit(RLIMIT_FSIZE, &small);
-  const std::string said = failureOf([&] { writeFile(path, std::string(100000, 'x')); });
-  setrlimit(RLIMIT_FSIZE, &usual);
-  std::signal(SIGXFSZ, handler);
+  const std::string said = failureOf([&] {
+    const SmallFiles small;
+    writeFile(path, std::string(100000, 'x'));
+  });
   EXPECT_EQ(said, "file '" + path + "' cannot be written: File too large");
   EXPECT_EQ(contentsOf(path), "old");
   EXPECT_EQ(names(), (std::set<std::string>{"report.html"}));
