@@ -15,7 +15,7 @@ Configuration equilibriumOn(const FixedGrid& finest, std::size_t elements) {
   FixedGrid coarse(finest.harness, elements);
   coarse.configuration = transfer(finest.configuration, finest.system.grid(), coarse.system.grid());
   const Minimum minimum = minimise(coarse.system, coarse.configuration);
-  EXPECT_TRUE(minimum.stable);
+  EXPECT_TRUE(minimum.stable());
   return coarse.configuration;
 }
 
@@ -33,7 +33,7 @@ class ConvergenceOrder : public testing::TestWithParam<int> {};
 
 TEST_P(ConvergenceOrder, NodesConvergeWithOrderSix) {
   FixedGrid finest(GetParam() == 0 ? caseH() : caseW(), kFinest);
-  ASSERT_TRUE(minimise(finest.system, finest.configuration).stable);
+  ASSERT_TRUE(minimise(finest.system, finest.configuration).stable());
   const double at_8 = nodeError(finest, 8), at_16 = nodeError(finest, 16), at_32 = nodeError(finest, 32);
   EXPECT_GT(std::log2(at_8 / at_16), 5.5);
   // of 32 elements the error is 1e-11 m, where rounding begins

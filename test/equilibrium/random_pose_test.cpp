@@ -46,7 +46,7 @@ double lowestOfManyStarts(const Harness& harness, std::mt19937& generator) {
     rod.configuration = initial.make(rod.system.grid(), {routing});
     const NodalField away = rod.randomMotion(generator, 0.01, 0.5);
     rod.system.move(away, rod.configuration);
-    if (minimise(rod.system, rod.configuration).stable) {
+    if (minimise(rod.system, rod.configuration).stable()) {
       lowest = std::min(lowest, rod.system.energy().total());
     }
   }

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include <cable_variation/scene_file/scene_reader.h>
+#include <hunt/descent_sweep.h>
 #include <hunt/run.h>
 #include <hunt/scene_writer.h>
 
@@ -18,13 +19,14 @@ using namespace cable_variation::hunt;
 constexpr const char* kUsage =
     "usage: hunt [--count N] [--seed S] [--family F]... [--first I] [--starts-every K] [--starts N] "
     "[--accuracy M]\n"
-    "            [--threads T] [--output FOLDER] [--slender] [--all] [--check] [SCENE]...\n"
+    "            [--threads T] [--output FOLDER] [--slender] [--descent] [--all] [--check] [SCENE]...\n"
     "  --count N         harnesses of each family (25), or of each row with --slender (30)\n"
     "  --starts-every K  look for lower shapes by simple starts in every K-th solved harness (1); 0: in "
     "none\n"
     "  --starts N        how many simple starts (6)\n"
     "  --output FOLDER   writes each harness that failed there, as a scene file\n"
     "  --slender         the slenderness table instead of families\n"
+    "  --descent         what half and twice of each number of DescentOptions cost, instead\n"
     "  --all             tells of what is right, too\n"
     "  --check           exit code 1 when more is wrong than what is aimed at (doc/hunt.md)\n"
     "  SCENE             judges the harness of that scene file instead; no package:// addresses\n";
@@ -33,7 +35,7 @@ struct Arguments {
   HuntOptions options;
   std::string output;
   std::vector<std::string> scenes;
-  bool slender = false, all = false, check = false, counted = false;
+  bool slender = false, descent = false, all = false, check = false, counted = false;
 };
 
 Arguments parse(int argc, char** argv) {
@@ -46,6 +48,10 @@ Arguments parse(int argc, char** argv) {
     }
     if (key == "--slender") {
       arguments.slender = true;
+      continue;
+    }
+    if (key == "--descent") {
+      arguments.descent = true;
       continue;
     }
     if (key == "--check") {
@@ -136,6 +142,12 @@ int main(int argc, char** argv) {
     Arguments arguments = parse(argc, argv);
     if (!arguments.output.empty()) std::filesystem::create_directories(arguments.output);
     const auto each = [&arguments](const Hunted& hunted) { tell(hunted, arguments); };
+    if (arguments.descent) {
+      std::size_t total = 0;
+      const std::vector<DescentTry> tries = sweepDescent(arguments.options, total);
+      std::cout << tableOf(tries, total);
+      return EXIT_SUCCESS;
+    }
     std::vector<Tally> tallies;
     if (!arguments.scenes.empty()) {
       tallies = judgeScenes(arguments);

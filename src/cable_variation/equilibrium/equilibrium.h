@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include <cable_variation/equilibrium/descent_options.h>
 #include <cable_variation/equilibrium/sensitivity.h>
 #include <cable_variation/harness/harness.h>
 #include <cable_variation/math/curve_piece.h>
@@ -97,14 +98,19 @@ struct Equilibrium {
 };
 
 struct EquilibriumOptions {
-  double accuracy = 1e-4;   ///< of every centreline [m]; the grid adapts to it
+  double accuracy = 1e-4;   ///< of every centreline [m], above 0; the grid adapts to it
   bool multi_start = true;  ///< look for the lowest of several stable equilibria when solving from nothing
   bool eigenvalue = true;   ///< compute smallest_eigenvalue (stability itself is always checked)
   /// Of smallest_eigenvalue, relative to itself or to a hundredth of the softest bending stiffness; the grid
-  /// adapts to it.
+  /// adapts to it. Above 0.
   double eigenvalue_accuracy = 1e-3;
-  int max_iterations = 400;  ///< per start
+  int max_iterations = 400;  ///< Newton steps of a descent, from a start or on a finer grid; at least 1
+  DescentOptions descent;
 };
+
+/// Throws std::invalid_argument that names the field, its value and the range, of the first that is out of
+/// it.
+void validate(const EquilibriumOptions& options);
 
 struct Problem;
 

@@ -115,8 +115,24 @@ std::vector<double> EquilibriumSolver::Impl::eigenvalueRates(const std::vector<H
   return rates;
 }
 
-EquilibriumSolver::EquilibriumSolver(const EquilibriumOptions& options)
-    : impl_(std::make_unique<Impl>(options)) {}
+void validate(const EquilibriumOptions& options) {
+  const auto require = [](bool right, const char* name, double value, const char* expected) {
+    if (right) return;
+    std::ostringstream text;
+    text << name << ": " << value << "; expected " << expected;
+    throw std::invalid_argument(text.str());
+  };
+  require(options.accuracy > 0.0, "accuracy", options.accuracy, "more than 0 m");
+  require(options.eigenvalue_accuracy > 0.0, "eigenvalue_accuracy", options.eigenvalue_accuracy,
+          "more than 0");
+  require(options.max_iterations >= 1, "max_iterations", options.max_iterations, "at least 1");
+  validate(options.descent);
+}
+
+EquilibriumSolver::EquilibriumSolver(const EquilibriumOptions& options) {
+  validate(options);
+  impl_ = std::make_unique<Impl>(options);
+}
 EquilibriumSolver::~EquilibriumSolver() = default;
 EquilibriumSolver::EquilibriumSolver(const EquilibriumSolver& other)
     : impl_(std::make_unique<Impl>(*other.impl_)) {}
@@ -127,7 +143,10 @@ EquilibriumSolver& EquilibriumSolver::operator=(const EquilibriumSolver& other) 
 EquilibriumSolver::EquilibriumSolver(EquilibriumSolver&&) noexcept = default;
 EquilibriumSolver& EquilibriumSolver::operator=(EquilibriumSolver&&) noexcept = default;
 
-void EquilibriumSolver::setOptions(const EquilibriumOptions& options) { impl_->options = options; }
+void EquilibriumSolver::setOptions(const EquilibriumOptions& options) {
+  validate(options);
+  impl_->options = options;
+}
 Equilibrium EquilibriumSolver::solve(const Harness& harness) { return impl_->solve(harness); }
 Equilibrium EquilibriumSolver::update(const Harness& harness) { return impl_->update(harness); }
 std::vector<EquilibriumRate> EquilibriumSolver::differentiate(const std::vector<HarnessRate>& variables) {

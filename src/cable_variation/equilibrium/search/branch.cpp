@@ -52,11 +52,12 @@ Branch::Branch(const Branch& other) = default;
 // while stretch is softened.
 bool Branch::descend(bool settle, StartStress stress, Equilibrium& result, int most_iterations) {
   const int iterations = std::min(options_.max_iterations, most_iterations);
-  const Minimum minimum = minimise(*problem_.system, problem_.configuration, {iterations, settle, stress});
+  const Minimum minimum = minimise(*problem_.system, problem_.configuration,
+                                   {iterations, settle, stress, false, options_.descent});
   result.iterations += minimum.iterations;
   result.residual = minimum.residual;
-  if (settle) unstable_ = !minimum.stable;
-  return settle ? minimum.stationary : minimum.stable;
+  if (settle) unstable_ = !minimum.stable();
+  return settle ? minimum.stationary() : minimum.stable();
 }
 
 void Branch::dropMoments() { problem_.harness = withMoments(problem_.harness, 0.0); }

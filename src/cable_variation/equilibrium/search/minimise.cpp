@@ -10,26 +10,39 @@
 namespace cable_variation {
 namespace {
 
-constexpr double kLargestRotation = 0.35;     // of a step, at any node [rad]
-constexpr double kLargestDisplacement = 0.1;  // of a step, over the length of the harness
-constexpr double kShiftGrowth = 8.0;
-constexpr double kFirstShift = 0.1;
-constexpr int kLongestClimb = 8;         // steps in a row without a new lowest energy
-constexpr double kSmallestShift = 1e-3;  // below it, none
-constexpr double kSmallRotation = 1e-2;  // of a step close to rest [rad]
-constexpr double kGentleGrowth = 100.0;
-constexpr double kLargestNeutralShift = 2e-5;
-constexpr int kFinalSteps = 4;
-constexpr double kLargestShift = 1e12;
-// A full Newton step below this, relative to length and in radians, leaves an error near its square.
+// What DescentOptions leaves alone. Sizes of steps are in radians, and as shares of the longest cable.
+
+// A full Newton step below this leaves an error near its square: 1e-12, rounding.
 constexpr double kFinalStep = 1e-6;
-// After a Newton step below this, the same factors serve for the next steps, each this much shorter at least.
-constexpr double kNear = 1e-2;
-constexpr double kContraction = 0.1;
-constexpr double kLeft = 1e-14;  // relative to length and in radians, as a Newton step of kFinalStep leaves
-// Of a rough descent, likewise: the energy is off by the square of what is left.
+// So much as such a step leaves may be left by steps with the same factors, which contract linearly.
+constexpr double kLeft = 1e-14;
+// Rough descents: the energy is off by the square of what is left, so these know it to 1e-6 and 1e-10 at
+// worst.
 constexpr double kRoughStep = 1e-3;
 constexpr double kRoughlyLeft = 1e-5;
+// So often a final step may leave a residual above rounding before it is taken for what there is: where it is
+// the sum of stiff and soft parts it takes a step or two more.
+constexpr int kFinalSteps = 4;
+// And may then be so many times rounding at most: rounding is estimated, and steps say that nothing moves.
+constexpr double kOfResidual = 1e3;
+// Close to rest, after a rotation below this, a negative pivot may be that of a motion which costs nothing (a
+// round buckled column that rolls), off zero by what is left of the residual: then damping begins just above
+// none and grows by this, lest the last steps creep.
+constexpr double kSmallRotation = 1e-2;
+constexpr double kGentleGrowth = 100.0;
+// With more damping than that of such a motion, grown once or twice, a small step need not mean rest.
+constexpr double kLargestNeutral = 2e-5;
+// Damping so large that steps are nothing: the descent has failed.
+constexpr double kLargestDamping = 1e12;
+// Armijo's condition (Nocedal and Wright, Numerical Optimization, 3.4): the energy falls by this share of
+// what the slope promises; it may rise by its rounding.
+constexpr double kArmijo = 1e-4;
+constexpr double kEnergyNoise = 1e-13;
+// A Newton step on a quadratic gains half of the slope: near it, and well above, damping shrinks, fast and
+// slowly.
+constexpr double kQuadratic[] = {0.4, 0.6};
+constexpr double kFair = 0.2;
+constexpr double kFastShrink = 1e-3;
 
 struct StepSize {
   double displacement = 0.0;  // [m]
@@ -56,7 +69,7 @@ class Descent {
     predicted_ = options_.stress != StartStress::own;
     system_.evaluate(configuration_, predicted_ ? Hessian::predicted : Hessian::exact);
     metric_ = system_.bendingMetric();
-    neutral_ = shift_ = neutralShift(system_);
+    neutral_ = damping_ = neutralShift(system_);
     length_ = largestArcLength(configuration_);
     lowest_ = {configuration_, system_.energy().total()};
     if (options_.settle) {
@@ -64,20 +77,30 @@ class Descent {
       return result_;
     }
     while (result_.iterations < options_.max_iterations) {
-      if (!factorise()) break;
+      if (!factorise()) {
+        result_.end = DescentEnd::indefinite;
+        break;
+      }
       const StepSize size = lengthen(findStep());
-      if (!std::isfinite(size.displacement) || !std::isfinite(size.rotation)) break;
+      if (!std::isfinite(size.displacement) || !std::isfinite(size.rotation)) {
+        result_.end = DescentEnd::not_finite;
+        break;
+      }
       if (isRoughlyFinal(size)) {
         if (endRoughly()) break;
         continue;
       }
       if (!isFinal(size)) {
         if (tryStep(size) && judge()) break;
-      } else if (shift_ > std::max(kLargestNeutralShift, 10.0 * neutral_)) {
-        if (!smallest_shift_) {  // the step may be small because of the shift
-          shift_ = neutral_;
+        if (damping_ > kLargestDamping) {
+          result_.end = DescentEnd::no_descent;
+          break;
+        }
+      } else if (damping_ > std::max(kLargestNeutral, 10.0 * neutral_)) {
+        if (!least_damping_) {  // the step may be small because of the damping
+          damping_ = neutral_;
           evaluateExactly();
-          smallest_shift_ = true;
+          least_damping_ = true;
         } else if (!leaveSaddle()) {
           settle();
           break;
@@ -104,38 +127,43 @@ class Descent {
     predicted_ = false;
   }
 
-  // Raises the shift until the shifted Hessian is positive definite.
+  // Raises the damping until the damped Hessian is positive definite.
   bool factorise() {
-    too_small_shift_ = 0.0;
-    while (system_.factorise(shift_, metric_) > 0) {
-      too_small_shift_ = shift_;
+    too_little_damping_ = 0.0;
+    while (system_.factorise(damping_, metric_) > 0) {
+      too_little_damping_ = damping_;
       // close to rest a negative pivot may be that of a neutral motion, off zero by what is left of the
       // residual
-      const bool gently = last_rotation_ < kSmallRotation && shift_ < kSmallestShift;
-      shift_ = gently ? kGentleGrowth * shift_ : std::max(kFirstShift, shift_ * kShiftGrowth);
-      if (shift_ > kLargestShift) return false;
+      const bool gently = last_rotation_ < kSmallRotation && damping_ < options_.descent.smallest_damping;
+      damping_ = gently
+                     ? kGentleGrowth * damping_
+                     : std::max(options_.descent.first_damping, damping_ * options_.descent.damping_growth);
+      if (damping_ > kLargestDamping) return false;
       evaluateAgain();
     }
     return true;
   }
 
-  // Where the Hessian is indefinite, a shift just large enough leads far along its direction of negative
-  // curvature, and one of several times that creeps: the former is looked for while steps are short.
+  // Where the Hessian is indefinite, damping just large enough leads far along its direction of negative
+  // curvature, and several times that creeps: the former is looked for while steps are short. Each trial
+  // halves what lies between on a scale of logarithms: three leave the eighth root of the damping's
+  // growth, 1.3.
   StepSize lengthen(StepSize size) {
     constexpr int kTrials = 3;
     constexpr double kShort = 0.2;  // of the longest step
     const auto isShort = [&] {
-      return size.rotation < kShort * kLargestRotation &&
-             size.displacement < kShort * kLargestDisplacement * length_;
+      return size.rotation < kShort * options_.descent.largest_rotation &&
+             size.displacement < kShort * options_.descent.largest_displacement * length_;
     };
-    for (int trial = 0; too_small_shift_ > kFirstShift && isShort() && trial < kTrials; ++trial) {
-      const double between = std::sqrt(too_small_shift_ * shift_);
+    for (int trial = 0; too_little_damping_ > options_.descent.first_damping && isShort() && trial < kTrials;
+         ++trial) {
+      const double between = std::sqrt(too_little_damping_ * damping_);
       evaluateAgain();
       if (system_.factorise(between, metric_) > 0) {
-        too_small_shift_ = between;
+        too_little_damping_ = between;
         continue;
       }
-      shift_ = between;
+      damping_ = between;
       size = findStep();
     }
     return size;
@@ -158,7 +186,7 @@ class Descent {
 
   // A step that leaves next to nothing for a rough descent, and with factors that are positive.
   bool isRoughlyFinal(const StepSize& size) const {
-    return options_.rough && shift_ == neutral_ && size.displacement < kRoughStep * length_ &&
+    return options_.rough && damping_ == neutral_ && size.displacement < kRoughStep * length_ &&
            size.rotation < kRoughStep;
   }
 
@@ -169,34 +197,42 @@ class Descent {
     system_.move(step_, configuration_);
     system_.evaluate(configuration_, Hessian::predicted);
     predicted_ = true;
-    options_.rough = result_.stationary = result_.stable =
-        system_.factorise(kGentleGrowth * neutral_, metric_) == 0;
-    if (!options_.rough) evaluateAgain();
+    options_.rough = system_.factorise(kGentleGrowth * neutral_, metric_) == 0;
+    if (options_.rough) {
+      result_.end = DescentEnd::near_minimum;
+    } else {
+      evaluateAgain();
+    }
     return options_.rough;
   }
 
   double tolerance() const { return residualTolerance(system_); }
 
+  // Of a descent that has come to rest with a residual, `saddle`: by a Hessian that is not positive.
+  DescentEnd endAt(double residual, bool saddle) const {
+    if (!(residual <= kOfResidual * tolerance())) return DescentEnd::residual_left;
+    return saddle ? DescentEnd::saddle : DescentEnd::minimum;
+  }
+
   // After a step so small that it ends the iteration, unless the residual or the Hessian here says otherwise.
   bool judge() {
-    if (options_.rough) return true;  // it was
+    if (result_.end == DescentEnd::near_minimum) return true;  // it was judged so
     evaluateExactly();
     const double residual = system_.residual();
     if (residual > tolerance() && ++final_steps_ <= kFinalSteps) return false;
-    result_.stationary = residual <= 1e3 * tolerance();
     const bool saddle = system_.factorise(kGentleGrowth * neutral_, metric_) > 0;
     if (saddle && leaveSaddle()) return false;
-    result_.stable = result_.stationary && !saddle;
+    result_.end = endAt(residual, saddle);
     return true;
   }
 
   // Goes one step. Whether it has come to rest, by steps with the same factors close to it.
   bool tryStep(const StepSize& size) {
-    smallest_shift_ = false;
+    least_damping_ = false;
     last_rotation_ = size.rotation;
-    const double limit =
-        std::min(1.0, std::min(kLargestRotation / (size.rotation + 1e-300),
-                               kLargestDisplacement * length_ / (size.displacement + 1e-300)));
+    const double limit = std::min(
+        1.0, std::min(options_.descent.largest_rotation / (size.rotation + 1e-300),
+                      options_.descent.largest_displacement * length_ / (size.displacement + 1e-300)));
     if (limit < 1.0) step_.scale(limit);
     const double before = system_.energy().total();
     const double slope = system_.gradient().dot(step_);
@@ -204,32 +240,32 @@ class Descent {
     trial_ = configuration_;
     const double work = system_.move(step_, trial_);
     if (!system_.arcLengthsInOrder(trial_)) {
-      raiseShift();
+      raiseDamping();
       return false;
     }
-    const bool near = shift_ == neutral_ && size.rotation < kNear && size.displacement < kNear * length_ &&
-                      system_.keepsFactors();
+    const bool near = damping_ == neutral_ && size.rotation < options_.descent.reuse_below &&
+                      size.displacement < options_.descent.reuse_below * length_ && system_.keepsFactors();
     system_.evaluate(trial_, near ? Hessian::none : Hessian::predicted);
     predicted_ = true;
     const double change = system_.energy().total() - before - work;
     if (!std::isfinite(change)) {
-      raiseShift();
+      raiseDamping();
       return false;
     }
     std::swap(configuration_, trial_);
     climbed_ += change;
-    const double noise = 1e-13 * (std::abs(before) + system_.energy().elastic);
-    if (climbed_ <= 1e-4 * slope + noise) {
+    const double noise = kEnergyNoise * (std::abs(before) + system_.energy().elastic);
+    if (climbed_ <= kArmijo * slope + noise) {
       lowest_.configuration = configuration_;
       lowest_.energy = system_.energy().total();
       climbed_ = 0.0;
       steps_above_ = 0;
-      lowerShift(limit, change / slope);
-    } else if (++steps_above_ > kLongestClimb) {
+      lowerDamping(limit, change / slope);
+    } else if (++steps_above_ > options_.descent.longest_climb) {
       configuration_ = lowest_.configuration;
       climbed_ = 0.0;
       steps_above_ = 0;
-      raiseShift();
+      raiseDamping();
       return false;
     }
     return near && approach(size);
@@ -242,7 +278,7 @@ class Descent {
       const StepSize size = findStep();
       const double contraction =
           std::max(size.rotation / last.rotation, size.displacement / last.displacement);
-      if (!(contraction < kContraction)) break;
+      if (!(contraction < options_.descent.contraction)) break;
       const double left = std::max(size.rotation, size.displacement / length_) * contraction;
       if (options_.rough && left < kRoughlyLeft) return endRoughly();
       system_.move(step_, configuration_);
@@ -255,33 +291,37 @@ class Descent {
   }
 
   // After a step whose energy changed by `gain` times the slope; a Newton step on a quadratic gains half.
-  void lowerShift(double limit, double gain) {
+  void lowerDamping(double limit, double gain) {
     if (limit < 1.0) {
-      shift_ *= 0.5;
-    } else if (gain > 0.4 && gain < 0.6) {
-      shift_ *= 1e-3;
-    } else if (gain > 0.2) {
-      shift_ /= kShiftGrowth;
+      damping_ *= 0.5;
+    } else if (gain > kQuadratic[0] && gain < kQuadratic[1]) {
+      damping_ *= kFastShrink;
+    } else if (gain > kFair) {
+      damping_ /= options_.descent.damping_growth;
     }
-    if (shift_ < kSmallestShift) shift_ = neutral_;
+    if (damping_ < options_.descent.smallest_damping) damping_ = neutral_;
   }
 
-  void raiseShift() {
-    shift_ = std::max(kFirstShift, shift_ * kShiftGrowth);
-    if (shift_ > kLargestShift) result_.iterations = options_.max_iterations;
+  void raiseDamping() {
+    damping_ = std::max(options_.descent.first_damping, damping_ * options_.descent.damping_growth);
     evaluateExactly();
   }
 
-  // Plain Newton steps, whatever the Hessian's inertia.
+  // Plain Newton steps, whatever the Hessian's inertia. From near by each doubles the digits: what is not
+  // there after a dozen was not near. A step of twice what a descent's largest turns by is one to another
+  // shape.
   void settle() {
     constexpr int kSteps = 12;
-    constexpr double kNearStep = 0.7;  // of a step that leads to a shape near by [rad]
-    shift_ = neutral_;
+    constexpr double kNearStep = 0.7;  // [rad], and of the longest cable
+    damping_ = neutral_;
     for (int k = 0; k < kSteps; ++k) {
       system_.evaluate(configuration_, predicted_ ? Hessian::predicted : Hessian::exact);
-      system_.factorise(shift_, metric_);
+      system_.factorise(damping_, metric_);
       const StepSize size = findStep();
-      if (!(size.rotation < kNearStep) || !(size.displacement < kNearStep * length_)) return;
+      if (!(size.rotation < kNearStep) || !(size.displacement < kNearStep * length_)) {
+        result_.end = DescentEnd::far_away;
+        return;
+      }
       system_.predictStress(step_);
       predicted_ = true;
       system_.move(step_, configuration_);
@@ -289,13 +329,15 @@ class Descent {
     }
     evaluateExactly();
     result_.residual = system_.residual();
-    result_.stationary = result_.residual <= 1e3 * tolerance();
-    result_.stable = system_.factorise(kGentleGrowth * neutral_, metric_) == 0 && result_.stationary;
+    const bool saddle = system_.factorise(kGentleGrowth * neutral_, metric_) > 0;
+    result_.end = endAt(result_.residual, saddle);
   }
 
   // Off a stationary point with a negative pivot, along the motion of least stiffness, by an angle that is
   // another one at every attempt. Whether the energy has fallen is judged a few steps later. Without a push
-  // left, or room for one, all is as it was, the Hessian factorised anew.
+  // left, or room for one, all is as it was, the Hessian factorised anew. Pushes go both ways, as one of them
+  // may lead back; far ones where the energy is flat, near ones last, for stiff cables that a push stretches
+  // by more than it relieves.
   bool leaveSaddle() {
     constexpr double kPushes[] = {0.05, -0.05, 0.2, -0.2, 0.5, -0.5, 0.01, -0.01};  // [rad]
     NodalField motion;
@@ -318,8 +360,8 @@ class Descent {
       climbed_ = system_.energy().total() - before - work;
       steps_above_ = 0;
       final_steps_ = 0;
-      smallest_shift_ = false;
-      shift_ = kFirstShift;
+      least_damping_ = false;
+      damping_ = options_.descent.first_damping;
       return true;
     }
     evaluateExactly();
@@ -346,14 +388,38 @@ class Descent {
   Minimum result_;
   double length_ = 0.0;
   double neutral_ = kNeutralShift;
-  double shift_ = kNeutralShift;
-  double too_small_shift_ = 0.0;  // the largest one tried that left the Hessian indefinite; 0: none
+  double damping_ = kNeutralShift;
+  double too_little_damping_ = 0.0;  // the largest one tried that left the Hessian indefinite; 0: none
   int final_steps_ = 0;
   std::size_t saddles_ = 0;
-  bool smallest_shift_ = false;  // the shift is no larger than the Hessian's inertia asks for
+  bool least_damping_ = false;  // it is no more than the Hessian's inertia asks for
 };
 
 }  // namespace
+
+const char* toString(DescentEnd end) {
+  switch (end) {
+    case DescentEnd::minimum:
+      return "a minimum";
+    case DescentEnd::near_minimum:
+      return "near a minimum";
+    case DescentEnd::saddle:
+      return "a saddle that no way down was found from";
+    case DescentEnd::residual_left:
+      return "steps became next to nothing, but forces stayed out of balance";
+    case DescentEnd::indefinite:
+      return "no damping made the stiffness positive";
+    case DescentEnd::no_descent:
+      return "no damping made the energy fall";
+    case DescentEnd::not_finite:
+      return "a step was not a number";
+    case DescentEnd::far_away:
+      return "a step led far away";
+    case DescentEnd::most_iterations:
+      return "so many steps were not enough";
+  }
+  return "unknown";
+}
 
 Minimum minimise(RodSystem& system, Configuration& configuration, const MinimiseOptions& options) {
   return Descent(system, configuration, options).run();

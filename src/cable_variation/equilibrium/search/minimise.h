@@ -1,5 +1,6 @@
 #pragma once  // internal to equilibrium/
 
+#include <cable_variation/equilibrium/descent_options.h>
 #include <cable_variation/equilibrium/discretisation/solve_tolerance.h>
 
 namespace cable_variation {
@@ -18,13 +19,31 @@ struct MinimiseOptions {
   /// Ends near a minimum, where the Hessian is positive and what is left is so little that the energy is
   /// known to 1e-8: enough to tell minima apart. The residual is not judged.
   bool rough = false;
+  DescentOptions descent;
 };
 
+/// Why a descent ended.
+enum class DescentEnd {
+  minimum,          ///< the residual vanished, and the Hessian is positive (neutral motions allowed)
+  near_minimum,     ///< MinimiseOptions::rough: as near as was asked for
+  saddle,           ///< the residual vanished, the Hessian is not positive, and no way down was found
+  residual_left,    ///< steps became next to nothing, the residual did not
+  indefinite,       ///< no damping makes the Hessian positive
+  no_descent,       ///< no damping makes the energy fall
+  not_finite,       ///< a step is not a number
+  far_away,         ///< MinimiseOptions::settle: a step leads away from the shape that was near
+  most_iterations,  ///< MinimiseOptions::max_iterations
+};
+
+const char* toString(DescentEnd end);
+
 struct Minimum {
-  bool stationary = false;  ///< the residual vanished
-  bool stable = false;      ///< and the Hessian there is positive (neutral motions allowed)
-  int iterations = 0;       ///< Newton steps
-  double residual = 0.0;    ///< [N]
+  DescentEnd end = DescentEnd::most_iterations;
+  int iterations = 0;     ///< Newton steps
+  double residual = 0.0;  ///< [N]
+
+  bool stable() const { return end == DescentEnd::minimum || end == DescentEnd::near_minimum; }
+  bool stationary() const { return stable() || end == DescentEnd::saddle; }
 };
 
 /// From `configuration` to a minimum of the energy: Newton steps, shifted

@@ -200,16 +200,18 @@ class Search {
     Candidate candidate;
     Configuration& configuration = candidate.shape.configuration;
     configuration = std::move(start);
-    const Minimum minimum = minimise(system, configuration, {options_.max_iterations, false, stress, true});
+    const Minimum minimum =
+        minimise(system, configuration, {options_.max_iterations, false, stress, true, options_.descent});
     result_.iterations += minimum.iterations;
     result_.residual = minimum.residual;
-    if (!minimum.stationary) {
+    if (!minimum.stationary()) {
       if (found_.failure.empty()) {
-        found_.failure = whereItFailed(problem_.harness, problem_.topology, system, configuration);
+        found_.failure = whereItFailed(problem_.harness, problem_.topology, system, configuration) +
+                         "; the first start's descent ended: " + toString(minimum.end);
       }
       return std::nullopt;
     }
-    candidate.stable = minimum.stable;
+    candidate.stable = minimum.stable();
     candidate.shape.energy = system.energy().total();
     for (const TwistPiece& piece : twistPieces(problem_.harness, problem_.topology, configuration)) {
       if (problem_.harness.cables[piece.cable].twist) candidate.shape.departures += std::abs(piece.surplus);
