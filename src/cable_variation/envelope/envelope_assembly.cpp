@@ -58,11 +58,17 @@ void addPhase(const PhaseSearch& search, std::size_t phase, const std::vector<st
 
 void warnOfShortcomings(const std::vector<PhaseSearch>& searches, std::size_t largest_solves,
                         Envelope& envelope) {
-  std::size_t exhausted = 0;
-  for (const PhaseSearch& search : searches) exhausted += search.exhausted() ? 1 : 0;
-  if (exhausted > 0) {
-    warn(envelope, exhausted, " of ", searches.size(), " phases ended at the largest number of solves, ",
-         largest_solves, ", or of shapes that memory is enough for: their hulls may still grow");
+  const auto endedAt = [&](SearchEnd end) {
+    return std::count_if(searches.begin(), searches.end(),
+                         [&](const PhaseSearch& search) { return search.end() == end; });
+  };
+  if (const auto ended = endedAt(SearchEnd::most_solves); ended > 0) {
+    warn(envelope, ended, " of ", searches.size(), " phases ended at the largest number of solves, ",
+         largest_solves, ": their hulls may still grow");
+  }
+  if (const auto ended = endedAt(SearchEnd::most_shapes); ended > 0) {
+    warn(envelope, ended, " of ", searches.size(),
+         " phases ended at the most shapes that memory is enough for: their hulls may still grow");
   }
   if (envelope.failures > 0) {
     const auto first = std::find_if(searches.begin(), searches.end(),
@@ -77,7 +83,6 @@ void warnOfShortcomings(const std::vector<PhaseSearch>& searches, std::size_t la
 
 // Branches of different phases are the same if the jumps to them move the cables alike.
 std::vector<std::vector<std::size_t>> branchNumbers(const std::vector<PhaseSearch>& searches) {
-  constexpr double kAlike = 0.5;  // cosine
   std::vector<const Eigen::Matrix3Xd*> known{nullptr};
   std::vector<std::vector<std::size_t>> numbers;
   for (const PhaseSearch& search : searches) {
@@ -85,7 +90,7 @@ std::vector<std::vector<std::size_t>> branchNumbers(const std::vector<PhaseSearc
     for (std::size_t b = 1; b < search.branches().size(); ++b) {
       const Eigen::Matrix3Xd& motion = search.branches()[b].motion;
       const auto same = std::find_if(known.begin() + 1, known.end(), [&](const Eigen::Matrix3Xd* other) {
-        return other->cwiseProduct(motion).sum() > kAlike * other->norm() * motion.norm();
+        return other->cwiseProduct(motion).sum() > PhaseSearch::kAlike * other->norm() * motion.norm();
       });
       numbers.back().push_back(static_cast<std::size_t>(same - known.begin()));
       if (same == known.end()) known.push_back(&motion);

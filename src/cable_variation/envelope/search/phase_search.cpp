@@ -10,17 +10,22 @@
 namespace cable_variation {
 namespace {
 
-// Derivatives that reach so many times as far as those of the reference belong to a shape about to snap.
+// Derivatives that reach so many times as far as those of the reference belong to a shape about to snap,
+// where they grow without bound: those of the harness case with ten variables at full tolerance promise
+// metres.
 constexpr double kAboutToSnap = 4.0;
-// Derivatives that miss by this share of the motion lead astray.
+// Derivatives that miss by this share of the motion lead astray: what they promise elsewhere is not found
+// either.
 constexpr double kAstray = 0.3;
-// Jumps are of one kind if their motions have this cosine at least.
-constexpr double kAlike = 0.5;
-// A snap whose jump is larger by this is a better one to slice its way by.
+// A snap whose jump is larger by this is a better one to slice its way by; slicing anew takes all shapes, so
+// jumps that are about as large are none.
 constexpr double kLarger = 1.3;
-constexpr std::size_t kMostPerRound = 128;  // shapes
+// Shapes solved side by side before hulls are looked at anew: enough for all threads of a machine, few beside
+// the hundreds that a phase takes.
+constexpr std::size_t kMostPerRound = 128;
 // Points that stick out of a hull by less than this share of the tolerance, or this length [m], are not taken
-// in: pieces are rounded by as much more.
+// in: pieces are rounded by as much more. The length is what single precision leaves of coordinates in
+// metres, some times over.
 constexpr double kSlack = 0.2, kLeastSlack = 2e-6;
 
 // Half the range of each coordinate: of the variables, then of the poses, one a row.
@@ -285,7 +290,6 @@ void PhaseSearch::forgetRates() {
 void PhaseSearch::run(std::size_t largest_solves, std::size_t patience, const std::function<void()>& check) {
   rebuild();
   if (patient_until_ == 0) patient_until_ = patience;
-  exhausted_ = false;
   for (;;) {
     check();
     for (; solves_ > patient_until_; patient_until_ += patience) {
@@ -295,15 +299,17 @@ void PhaseSearch::run(std::size_t largest_solves, std::size_t patience, const st
     }
     fitCurvature();
     const std::vector<Candidate> candidates = choose(pushes(), std::min(kMostPerRound, patience));
+    end_ = SearchEnd::no_push;
     if (candidates.empty()) return;
-    if (solves_ + candidates.size() > largest_solves || samples_.size() >= most_shapes_) {
-      exhausted_ = true;
-      return;
-    }
+    end_ = SearchEnd::most_shapes;
+    if (samples_.size() >= most_shapes_) return;
+    end_ = SearchEnd::most_solves;
+    if (solves_ + candidates.size() > largest_solves) return;
     gained_ = 0.0;
     solve(candidates, check);
     rebuild();
     // what is left was expected to gain less than what has just been tried
+    end_ = SearchEnd::no_gain;
     if (gained_ <= tolerance_) return;
   }
 }

@@ -13,6 +13,15 @@
 
 namespace cable_variation {
 
+/// Why a search ended.
+enum class SearchEnd {
+  not_run,
+  no_push,      ///< no facet of a hull is expected to move out by more than the tolerance
+  no_gain,      ///< none did, although expected
+  most_solves,  ///< the most that were asked for came first
+  most_shapes,  ///< the most that may be kept came first
+};
+
 /// Looks for the shapes that span the envelope of one phase: the hulls grow where the derivatives of the
 /// shapes found so far say that other deviations, or another pose of the motion, lead further out.
 class PhaseSearch {
@@ -46,7 +55,7 @@ class PhaseSearch {
   std::size_t solves() const { return solves_; }
   std::size_t failures() const { return failures_; }
   double tolerance() const { return tolerance_; }  ///< in the end [m]
-  bool exhausted() const { return exhausted_; }    ///< the most solves or shapes came first
+  SearchEnd end() const { return end_; }           ///< of run(), the last time
   double discretisationError() const { return discretisation_error_; }
   const std::vector<StretchShape>& samples() const { return samples_; }
   const std::vector<std::size_t>& sampleBranches() const { return sample_branch_; }
@@ -70,6 +79,9 @@ class PhaseSearch {
     return radius_[stretch] + (isRare(cluster) ? beyond_ : 0.0);
   }
 
+  /// Jumps are of one kind if their motions have this cosine at least: those of a cable that flips over to
+  /// one side or to the other have -1, those of different cables 0.
+  static constexpr double kAlike = 0.5;
   /// Equilibria that jumps of one kind lead to. The first is the design's own, followed.
   struct Branch {
     Eigen::Matrix3Xd motion;  ///< of the first jump to it, FollowedShape::Jump::motion(); the first: empty
@@ -148,7 +160,7 @@ class PhaseSearch {
   std::set<std::vector<int>> looked_at_;
   std::size_t solves_ = 0, failures_ = 0;
   std::string failure_;
-  bool exhausted_ = false;
+  SearchEnd end_ = SearchEnd::not_run;
   double reach_ = 0.0;   // of the reference's derivatives, see largestReach() [m]
   double gained_ = 0.0;  // by the last round: how far its shapes stick out of the hulls before [m]
   double discretisation_error_ = 0.0;
