@@ -173,7 +173,7 @@ void LinearResponse::addForce(const HarnessChange& change, NodalField& field) co
     const Eigen::Vector2d moved(change.arc_lengths[static_cast<Eigen::Index>(span.left)],
                                 change.arc_lengths[static_cast<Eigen::Index>(span.right)]);
     Eigen::Vector2d slide =
-        data.slides ? Eigen::Vector2d(data.slide_second * moved) : Eigen::Vector2d::Zero();
+        data.role.slides ? Eigen::Vector2d(data.slide_second * moved) : Eigen::Vector2d::Zero();
     for (std::size_t e = 0; e < data.elements; ++e) {
       const RodSystem::Element at = system_.elementOf(i, e);
       const ExplicitChange& batch = explicit_[at.batch];

@@ -85,7 +85,7 @@ LaneSystem::LaneSystem(const Problem& nominal) : problem_(nominal), spans_(nomin
     lanes.far_held = left_held && right_held;
     lanes.metric = metric[i];
     std::fill(std::begin(lanes.gyration), std::end(lanes.gyration), nominal.system->gyration(i));
-    lanes.links.resize(lanes.count);
+    lanes.links.resize(lanes.count - 1);
     lanes.nodes.resize(lanes.count);
   }
   elements_.resize(elements);

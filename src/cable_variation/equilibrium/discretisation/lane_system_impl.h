@@ -25,11 +25,12 @@ struct LaneSystem::SpanLanes {
   std::size_t count = 0;  ///< of elements
   element::ChainRole role;
   bool far_held = false;
-  RodSystem::Metric metric;                        ///< of the shift that counts as none
-  alignas(64) double gyration[element::kLanes]{};  ///< [m]
-  std::vector<element::Link> links;                ///< the root, then one per inner node, from the near end
-  NodeRows near;                                   ///< right-hand side, then motion, of the near end
-  std::vector<NodeRows> nodes;                     ///< likewise, of the nodes after it
+  RodSystem::Metric metric;                           ///< of the shift that counts as none
+  alignas(64) double gyration[element::kLanes]{};     ///< [m]
+  element::Front<element::kLanes> front;              ///< of the elimination of the nodes between the ends
+  std::vector<element::Link<element::kLanes>> links;  ///< one per node between, from the near end
+  NodeRows near;                                      ///< right-hand side, then motion, of the near end
+  std::vector<NodeRows> nodes;                        ///< likewise, of the nodes after it
 
   /// The element that is number j from the near end.
   std::size_t element(std::size_t j) const { return first_element + (role.reversed ? count - 1 - j : j); }

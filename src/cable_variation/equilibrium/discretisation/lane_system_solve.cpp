@@ -13,10 +13,6 @@ using element::kNodes;
 
 namespace {
 
-// Rows of a node in the packed matrix of a link: the next node's, and the near end's at the border.
-constexpr int kFarRow = kNodeDofs;
-constexpr int kNearRow = 2 * kNodeDofs;
-
 int packed(int row, int column) { return row * (row + 1) / 2 + column; }
 int packedOf(int row, int column) { return row >= column ? packed(row, column) : packed(column, row); }
 
@@ -49,11 +45,11 @@ void LaneSystem::factorise(const SpanLanes& span, Element& at) {
 }
 
 void LaneSystem::factoriseChain(SpanLanes& span) {
-  const element::ChainKernel& chain = element::chainKernel();
-  chain.start(elements_[span.element(0)].factor, nullptr, span.role, span.links[0]);
+  const element::Elimination<kLanes>& elimination = element::chainKernel().lanes;
+  elimination.start(elements_[span.element(0)].factor, 0, nullptr, span.role, span.front);
   for (std::size_t j = 1; j < span.count; ++j) {
-    chain.eliminate(elements_[span.element(j)].factor, nullptr, span.role, span.links[j - 1], span.links[j],
-                    negative_.data());
+    elimination.eliminate(elements_[span.element(j)].factor, 0, nullptr, span.role, span.front,
+                          span.links[j - 1], negative_.data());
   }
 }
 
@@ -135,16 +131,18 @@ void LaneSystem::factoriseStations(int index) {
 // What a span's ends, left and right, feel of each other, all between eliminated; nothing of a held near end.
 Eigen::Matrix<double, 12, 12> LaneSystem::reduced(std::size_t index, int lane) const {
   const SpanLanes& span = spans_[index];
-  const element::Link& last = span.links.back();
+  const auto left = [&](int row, int column) {
+    return span.front.matrix[span.front.at(std::max(row, column), std::min(row, column))][lane];
+  };
   Eigen::Matrix<double, 12, 12> matrix = Eigen::Matrix<double, 12, 12>::Zero();
   const int far = span.role.reversed ? 0 : 6, near = 6 - far;
   for (int r = 0; r < kNodeDofs; ++r) {
     for (int c = 0; c < kNodeDofs; ++c) {
-      matrix(far + r, far + c) = last.matrix[packedOf(kFarRow + r, kFarRow + c)][lane];
+      matrix(far + r, far + c) = left(element::kFarRow + r, element::kFarRow + c);
       if (span.role.near_held) continue;
-      matrix(near + r, near + c) = last.matrix[packedOf(kNearRow + r, kNearRow + c)][lane];
+      matrix(near + r, near + c) = left(element::kBorderRow + r, element::kBorderRow + c);
       matrix(near + r, far + c) = matrix(far + c, near + r) =
-          last.matrix[packed(kNearRow + r, kFarRow + c)][lane];
+          left(element::kBorderRow + r, element::kFarRow + c);
     }
   }
   return matrix;
@@ -171,12 +169,13 @@ void LaneSystem::condenseElements(const LaneSystem& by) {
 
 // Forces, from the elements' ends to those of the spans.
 void LaneSystem::condenseChains(const LaneSystem& by) {
-  const element::ChainKernel& chain = element::chainKernel();
+  const element::Elimination<kLanes>& elimination = element::chainKernel().lanes;
   for (std::size_t i = 0; i < spans_.size(); ++i) {
     SpanLanes& span = spans_[i];
     const int border = span.role.border();
     for (std::size_t j = 1; j < span.count; ++j) {
-      chain.condense(by.spans_[i].links[j], border, span.node(j).of, span.node(j + 1).of, span.near.of);
+      elimination.condense(by.spans_[i].links[j - 1], border, span.node(j).of, span.node(j + 1).of,
+                           span.near.of);
     }
   }
 }
@@ -258,12 +257,13 @@ void LaneSystem::solveStations(const LaneSystem& by, bool carried) {
 // The motion of everything between, from that of the spans' ends.
 void LaneSystem::expand(const LaneSystem& by) {
   const element::Kernel& kernel = element::kernel();
-  const element::ChainKernel& chain = element::chainKernel();
+  const element::Elimination<kLanes>& elimination = element::chainKernel().lanes;
   for (std::size_t i = 0; i < spans_.size(); ++i) {
     SpanLanes& span = spans_[i];
     const int border = span.role.border();
     for (std::size_t j = span.count; j-- > 1;) {
-      chain.expand(by.spans_[i].links[j], border, span.node(j).of, span.node(j + 1).of, span.near.of);
+      elimination.expand(by.spans_[i].links[j - 1], border, span.node(j).of, span.node(j + 1).of,
+                         span.near.of);
     }
     for (std::size_t j = 0; j < span.count; ++j) {
       Element& at = elements_[span.element(j)];

@@ -51,10 +51,10 @@ RodSystem::RodSystem(const Harness& harness, const Topology& topology, const Gri
     elements += data.elements;
     const bool left_held = unknowns_.isHeld(span.left);
     const bool right_held = unknowns_.isHeld(span.right);
-    data.reversed = right_held && !left_held;
-    data.near_held = left_held || right_held;
-    data.slides = unknowns_.slide(span.left) >= 0 || unknowns_.slide(span.right) >= 0;
-    has_slides_ = has_slides_ || data.slides;
+    data.role.reversed = right_held && !left_held;
+    data.role.near_held = left_held || right_held;
+    data.role.slides = unknowns_.slide(span.left) >= 0 || unknowns_.slide(span.right) >= 0;
+    has_slides_ = has_slides_ || data.role.slides;
     data.nodes.resize(6, static_cast<Eigen::Index>(data.elements) + 1);
     gradient_.spans[i].setZero(6, 3 * static_cast<Eigen::Index>(data.elements) + 1);
   }

@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 
 #include <cable_variation/equilibrium/discretisation/configuration.h>
-#include <cable_variation/equilibrium/discretisation/span_chain.h>
+#include <cable_variation/equilibrium/discretisation/end_motion.h>
 #include <cable_variation/equilibrium/discretisation/station_unknowns.h>
 #include <cable_variation/equilibrium/equilibrium.h>
 #include <cable_variation/rod/kernel/element_kernel.h>

@@ -34,12 +34,12 @@ double RodSystem::curvatureAlong(const NodalField& motion) const {
           sum += 2.0 * x[row] * x[column] * batch.factor.matrix[entry++][at.lane];
         }
         sum += x[row] * x[row] * batch.factor.matrix[entry++][at.lane];
-        for (int side = 0; spans_[i].slides && side < 2; ++side) {
+        for (int side = 0; spans_[i].role.slides && side < 2; ++side) {
           sum += 2.0 * x[row] * slide[side] * batch.slide[side][row][at.lane];
         }
       }
     }
-    if (spans_[i].slides) sum += slide.dot(spans_[i].slide_second * slide);
+    if (spans_[i].role.slides) sum += slide.dot(spans_[i].slide_second * slide);
   }
   for (const auto& entry : curvature_) {
     sum += entry.value * motion.unknowns[entry.row] * motion.unknowns[entry.column];

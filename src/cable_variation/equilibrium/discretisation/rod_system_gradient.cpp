@@ -13,7 +13,7 @@ void RodSystem::assembleArcLength() {
     SpanData& data = spans_[i];
     data.slide_gradient.setZero();
     data.slide_second.setZero();
-    if (!data.slides) continue;
+    if (!data.role.slides) continue;
     for (std::size_t e = 0; e < data.elements; ++e) {
       const Element at = elementOf(i, e);
       Batch& batch = batches_[at.batch];
@@ -59,7 +59,7 @@ void RodSystem::assembleGradient(const Configuration& configuration) {
     Vector14d ends = Vector14d::Zero();
     ends.head<6>() = nodes.col(0);
     ends.segment<6>(6) = nodes.col(nodes.cols() - 1);
-    if (data.slides) ends.tail<2>() = data.slide_gradient;
+    if (data.role.slides) ends.tail<2>() = data.slide_gradient;
     addToUnknowns(i, ends, gradient_.unknowns);
     nodes.col(0).setZero();
     nodes.col(nodes.cols() - 1).setZero();

@@ -8,6 +8,7 @@
 #include <Eigen/SparseCholesky>
 
 #include <cable_variation/equilibrium/discretisation/rod_system.h>
+#include <cable_variation/rod/kernel/chain_kernel.h>
 
 namespace cable_variation {
 
@@ -25,20 +26,31 @@ struct RodSystem::Batch {
 struct RodSystem::SpanData {
   std::size_t first_element = 0;
   std::size_t elements = 0;
-  bool reversed = false;  ///< the chain's near end is the right one
-  bool near_held = false;
-  bool slides = false;                                   ///< one of its stations' arc lengths is unknown
+  element::ChainRole role;  ///< slides: one of its stations' arc lengths is unknown
   double left_arc_length = 0.0, right_arc_length = 0.0;  ///< [m] that the batches hold
   double bending_stiffness = 0.0;                        ///< smallest EI along the span [N m²]
   double gyration = 0.0;                                 ///< sqrt(EI/EA) [m]
   double radius = 0.0;                                   ///< largest [m]
   double stretch_stiffness = 0.0;                        ///< largest EA [N]
   double stretch_limit = INFINITY;                       ///< of EA and GA [N], see soften()
-  SpanChain chain;
-  Matrix14d reduced;  ///< left, right, arc lengths of left and right
+  element::Front<1> front{};                             ///< of the elimination of the nodes between the ends
+  std::vector<element::Link<1>> links;                   ///< one per node between, from the near end
+  Matrix14d reduced;                                     ///< left, right, arc lengths of left and right
   Eigen::Vector2d slide_gradient;
   Eigen::Matrix2d slide_second;
   Eigen::Matrix<double, 6, Eigen::Dynamic> nodes;  ///< scratch: chain nodes from near to far
+
+  /// The element that is number j from the near end.
+  std::size_t element(std::size_t j) const { return role.reversed ? elements - 1 - j : j; }
+  /// The chain's node at a boundary of elements, counted from the left.
+  Eigen::Index node(Eigen::Index boundary) const {
+    return role.reversed ? static_cast<Eigen::Index>(elements) - boundary : boundary;
+  }
+  double (*nodeRows(std::size_t node))[1] {
+    return reinterpret_cast<double(*)[1]>(nodes.col(static_cast<Eigen::Index>(node)).data());
+  }
+  void condense(Eigen::Vector2d& slide);
+  void expand(const Eigen::Vector2d& slide);
 
   double length() const { return right_arc_length - left_arc_length; }
 };

@@ -89,52 +89,6 @@ int RodSystem::factorise(double shift, const std::vector<Metric>& metric, bool s
   return stations_->moment_entries.empty() ? negative + of_stations : (negative + of_stations) % 2;
 }
 
-void RodSystem::reduceSpan(std::size_t index, int& negative) {
-  SpanData& data = spans_[index];
-  Eigen::Matrix2d slide_slide = data.slide_second;
-  const int near = data.reversed ? kInner + 6 : kInner;
-  const int far = data.reversed ? kInner : kInner + 6;
-  const auto fill = [&](std::size_t j, ChainElement& element) {
-    const Element at = elementOf(index, data.reversed ? data.elements - 1 - j : j);
-    const Batch& batch = batches_[at.batch];
-    const auto entry = [&](int row, int column) {
-      return batch.factor.matrix[row >= column ? packed(row, column) : packed(column, row)][at.lane];
-    };
-    for (int c = 0; c < 6; ++c) {
-      for (int r = 0; r < 6; ++r) {
-        element.near_near(r, c) = entry(near + r, near + c);
-        element.far_near(r, c) = entry(far + r, near + c);
-        element.far_far(r, c) = entry(far + r, far + c);
-      }
-    }
-    if (!data.slides) return;
-    for (int side = 0; side < 2; ++side) {
-      for (int r = 0; r < 6; ++r) {
-        element.near_slide(r, side) = batch.slide[side][near + r][at.lane];
-        element.far_slide(r, side) = batch.slide[side][far + r][at.lane];
-      }
-    }
-    for (int k = 0; k < kInner; ++k) {
-      const Eigen::Vector2d row(batch.slide[0][k][at.lane], batch.slide[1][k][at.lane]);
-      slide_slide -= batch.factor.inverse_pivot[k][at.lane] * row * row.transpose();
-    }
-  };
-  negative += data.chain.factorise(data.elements, fill, {data.near_held, data.slides});
-  const Matrix14d& m = data.chain.reduced();
-  data.reduced = m;
-  if (data.reversed) {
-    data.reduced.block<6, 6>(0, 0) = m.block<6, 6>(6, 6);
-    data.reduced.block<6, 6>(6, 6) = m.block<6, 6>(0, 0);
-    data.reduced.block<6, 6>(0, 6) = m.block<6, 6>(6, 0);
-    data.reduced.block<6, 6>(6, 0) = m.block<6, 6>(0, 6);
-    data.reduced.block<6, 2>(0, 12) = m.block<6, 2>(6, 12);
-    data.reduced.block<6, 2>(6, 12) = m.block<6, 2>(0, 12);
-    data.reduced.block<2, 6>(12, 0) = m.block<2, 6>(12, 6);
-    data.reduced.block<2, 6>(12, 6) = m.block<2, 6>(12, 0);
-  }
-  if (data.slides) data.reduced.block<2, 2>(12, 12) += slide_slide;
-}
-
 void RodSystem::assembleStations(bool symmetric) {
   auto& entries = stations_->entries;
   entries.clear();
@@ -208,10 +162,10 @@ Matrix6d RodSystem::endStiffness(const Element& element, int row_end, int column
 // The chain knows nothing of a held end: its motion acts as a force on the next node.
 void RodSystem::pushByHeldEnd(std::size_t span, const Vector14d& carried) {
   SpanData& data = spans_[span];
-  const int near = data.reversed ? 1 : 0;
+  const int near = data.role.reversed ? 1 : 0;
   const Vector6d motion = carried.segment<6>(6 * near);
-  if (!data.near_held || motion.isZero(0.0)) return;
-  const Element first = elementOf(span, data.reversed ? data.elements - 1 : 0);
+  if (!data.role.near_held || motion.isZero(0.0)) return;
+  const Element first = elementOf(span, data.element(0));
   data.nodes.col(1) -= endStiffness(first, 1 - near, near) * motion;
 }
 
@@ -225,9 +179,8 @@ void RodSystem::condenseForceless(const std::vector<Vector14d>& carried, std::ve
     pushByHeldEnd(i, carried[i]);
     if (data.nodes.isZero(0.0)) continue;
     Eigen::Vector2d slide = Eigen::Vector2d::Zero();
-    data.chain.condense(data.nodes, slide);
-    const Eigen::Index last = data.nodes.cols() - 1;
-    reduced[i] << data.nodes.col(data.reversed ? last : 0), data.nodes.col(data.reversed ? 0 : last), slide;
+    data.condense(slide);
+    reduced[i] << data.nodes.col(data.node(0)), data.nodes.col(data.node(data.nodes.cols() - 1)), slide;
   }
 }
 
@@ -251,32 +204,29 @@ void RodSystem::condense(const NodalField& force, const std::vector<Vector14d>& 
   for (std::size_t i = 0; i < spans_.size(); ++i) {
     SpanData& data = spans_[i];
     const auto count = static_cast<Eigen::Index>(data.elements);
-    const auto chainColumn = [&](Eigen::Index boundary) {
-      return data.reversed ? count - boundary : boundary;
-    };
     Eigen::Vector2d slide = Eigen::Vector2d::Zero();
     for (Eigen::Index k = 0; k <= count; ++k) {
       const bool end = k == 0 || k == count;
-      data.nodes.col(chainColumn(k)) = end ? Vector6d(Vector6d::Zero()) : Vector6d(force.spans[i].col(3 * k));
+      data.nodes.col(data.node(k)) = end ? Vector6d(Vector6d::Zero()) : Vector6d(force.spans[i].col(3 * k));
     }
     for (std::size_t e = 0; e < data.elements; ++e) {
       const Element at = elementOf(i, e);
       const Batch& batch = batches_[at.batch];
       const auto left = static_cast<Eigen::Index>(e);
       for (int k = 0; k < 6; ++k) {
-        data.nodes(k, chainColumn(left)) += batch.scratch[kInner + k][at.lane];
-        data.nodes(k, chainColumn(left + 1)) += batch.scratch[kInner + 6 + k][at.lane];
+        data.nodes(k, data.node(left)) += batch.scratch[kInner + k][at.lane];
+        data.nodes(k, data.node(left + 1)) += batch.scratch[kInner + 6 + k][at.lane];
       }
-      if (!data.slides) continue;
+      if (!data.role.slides) continue;
       for (int k = 0; k < kInner; ++k) {
         const double y = batch.factor.inverse_pivot[k][at.lane] * batch.scratch[k][at.lane];
         slide -= y * Eigen::Vector2d(batch.slide[0][k][at.lane], batch.slide[1][k][at.lane]);
       }
     }
     if (!carried.empty()) pushByHeldEnd(i, carried[i]);
-    data.chain.condense(data.nodes, slide);
-    reduced[i].head<6>() = data.nodes.col(chainColumn(0));
-    reduced[i].segment<6>(6) = data.nodes.col(chainColumn(count));
+    data.condense(slide);
+    reduced[i].head<6>() = data.nodes.col(data.node(0));
+    reduced[i].segment<6>(6) = data.nodes.col(data.node(count));
     reduced[i].tail<2>() = slide;
   }
 }
@@ -286,22 +236,19 @@ void RodSystem::expand(const std::vector<Vector14d>& ends, NodalField& motion) {
   for (std::size_t i = 0; i < spans_.size(); ++i) {
     SpanData& data = spans_[i];
     const auto count = static_cast<Eigen::Index>(data.elements);
-    const auto chainColumn = [&](Eigen::Index boundary) {
-      return data.reversed ? count - boundary : boundary;
-    };
     const Eigen::Vector2d slide = ends[i].tail<2>();
-    data.nodes.col(chainColumn(0)) = ends[i].head<6>();
-    data.nodes.col(chainColumn(count)) = ends[i].segment<6>(6);
-    data.chain.expand(data.nodes, slide);
+    data.nodes.col(data.node(0)) = ends[i].head<6>();
+    data.nodes.col(data.node(count)) = ends[i].segment<6>(6);
+    data.expand(slide);
     for (std::size_t e = 0; e < data.elements; ++e) {
       const Element at = elementOf(i, e);
       Batch& batch = batches_[at.batch];
       const auto left = static_cast<Eigen::Index>(e);
       for (int k = 0; k < 6; ++k) {
-        batch.scratch[kInner + k][at.lane] = data.nodes(k, chainColumn(left));
-        batch.scratch[kInner + 6 + k][at.lane] = data.nodes(k, chainColumn(left + 1));
+        batch.scratch[kInner + k][at.lane] = data.nodes(k, data.node(left));
+        batch.scratch[kInner + 6 + k][at.lane] = data.nodes(k, data.node(left + 1));
       }
-      if (!data.slides) continue;
+      if (!data.role.slides) continue;
       for (int k = 0; k < kInner; ++k) {
         batch.scratch[k][at.lane] -=
             batch.slide[0][k][at.lane] * slide[0] + batch.slide[1][k][at.lane] * slide[1];

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cable_variation/equilibrium/discretisation/span_chain.h>
+#include <cable_variation/equilibrium/discretisation/end_motion.h>
 #include <cable_variation/equilibrium/equilibrium.h>
 #include <cable_variation/equilibrium/sensitivity.h>
 #include <cable_variation/harness/harness_rate.h>

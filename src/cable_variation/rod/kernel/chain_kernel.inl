@@ -7,123 +7,148 @@
 namespace cable_variation::element {
 namespace {
 
-constexpr int kFar = kNodeDofs;         // first row of the next node
-constexpr int kBorder = 2 * kNodeDofs;  // first row of the border
-
-inline Pack entry(const Factor& element, int row, int column, int lane) {
-  return load(element.matrix[row >= column ? packed(row, column) : packed(column, row)] + lane);
-}
-
 // First row of the element's near and far node.
 inline int nearRow(const ChainRole& role) { return role.reversed ? kInner + kNodeDofs : kInner; }
 inline int farRow(const ChainRole& role) { return role.reversed ? kInner : kInner + kNodeDofs; }
 
-void start(const Factor& element, const double (*slide)[kDofs][kLanes], const ChainRole& role, Link& root) {
+template <class Of>
+void start(const Factor& element, int of_alone, const double (*slide)[kDofs][kLanes], const ChainRole& role,
+           Front<Of::kCount>& front) {
   const int near = nearRow(role), far = farRow(role);
-  const int slides = kBorder + (role.near_held ? 0 : kNodeDofs);
-  const Pack zero = {};
-  for (int lane = 0; lane < kLanes; lane += kWidth) {
-    const auto put = [&](int row, int column, Pack value) {
-      store(root.matrix[packed(row, column)] + lane, value);
+  const int slides = kBorderRow + (role.near_held ? 0 : kNodeDofs);
+  for (int lane = 0; lane < Of::kCount; lane += Of::kStep) {
+    const int from = Of::kCount == 1 ? of_alone : lane;
+    const auto entry = [&](int row, int column) {
+      return get<Of>(element.matrix[row >= column ? packed(row, column) : packed(column, row)] + from);
+    };
+    const auto set = [&](int row, int column, typename Of::Value value) {
+      put<Of>(front.matrix[front.at(row, column)] + lane, value);
     };
     for (int r = 0; r < kNodeDofs; ++r) {
-      for (int c = 0; c <= r; ++c) put(kFar + r, kFar + c, entry(element, far + r, far + c, lane));
+      for (int c = 0; c <= r; ++c) set(kFarRow + r, kFarRow + c, entry(far + r, far + c));
     }
     for (int r = 0; !role.near_held && r < kNodeDofs; ++r) {
-      for (int c = 0; c < kNodeDofs; ++c) put(kBorder + r, kFar + c, entry(element, near + r, far + c, lane));
-      for (int c = 0; c <= r; ++c) put(kBorder + r, kBorder + c, entry(element, near + r, near + c, lane));
+      for (int c = 0; c < kNodeDofs; ++c) set(kBorderRow + r, kFarRow + c, entry(near + r, far + c));
+      for (int c = 0; c <= r; ++c) set(kBorderRow + r, kBorderRow + c, entry(near + r, near + c));
     }
     for (int s = 0; role.slides && s < kSlides; ++s) {
-      for (int c = 0; c < kNodeDofs; ++c) put(slides + s, kFar + c, load(slide[s][far + c] + lane));
+      for (int c = 0; c < kNodeDofs; ++c) set(slides + s, kFarRow + c, get<Of>(slide[s][far + c] + from));
       for (int c = 0; !role.near_held && c < kNodeDofs; ++c) {
-        put(slides + s, kBorder + c, load(slide[s][near + c] + lane));
+        set(slides + s, kBorderRow + c, get<Of>(slide[s][near + c] + from));
       }
-      for (int c = 0; c <= s; ++c) put(slides + s, slides + c, zero);
+      for (int c = 0; c <= s; ++c) set(slides + s, slides + c, typename Of::Value{});
     }
   }
 }
 
-void eliminate(const Factor& element, const double (*slide)[kDofs][kLanes], const ChainRole& role,
-               const Link& before, Link& link, int* negative_pivots) {
+template <class Of, int kRows>
+inline void eliminateNode(Front<Of::kCount>& front, Link<Of::kCount>& link, int lane) {
+  if constexpr (Of::kCount == 1) {
+    eliminateFirstPanel<kRows, Front<1>::kRow>(front.matrix, link.inverse_pivot);
+  } else {
+    eliminatePanel<kRows, 0>(front.matrix, link.inverse_pivot, lane);
+  }
+  for (int row = 0; row < kRows; ++row) {
+    for (int k = 0; k < kNodeDofs && k <= row; ++k) {
+      put<Of>(link.lower[link.at(row, k)] + lane, get<Of>(front.matrix[front.at(row, k)] + lane));
+    }
+  }
+}
+
+template <class Of>
+void eliminate(const Factor& element, int of_alone, const double (*slide)[kDofs][kLanes],
+               const ChainRole& role, Front<Of::kCount>& front, Link<Of::kCount>& link,
+               int* negative_pivots) {
   const int near = nearRow(role), far = farRow(role);
   const int near_rows = role.near_held ? 0 : kNodeDofs;
   const int border = role.border();
-  const Pack zero = {};
-  for (int lane = 0; lane < kLanes; lane += kWidth) {
-    const auto put = [&](int row, int column, Pack value) {
-      store(link.matrix[packed(row, column)] + lane, value);
+  for (int lane = 0; lane < Of::kCount; lane += Of::kStep) {
+    const int from = Of::kCount == 1 ? of_alone : lane;
+    const auto entry = [&](int row, int column) {
+      return get<Of>(element.matrix[row >= column ? packed(row, column) : packed(column, row)] + from);
     };
-    const auto left = [&](int row, int column) { return load(before.matrix[packed(row, column)] + lane); };
+    const auto left = [&](int row, int column) {
+      return get<Of>(front.matrix[front.at(row, column)] + lane);
+    };
+    const auto set = [&](int row, int column, typename Of::Value value) {
+      put<Of>(front.matrix[front.at(row, column)] + lane, value);
+    };
     for (int r = 0; r < kNodeDofs; ++r) {
       for (int c = 0; c <= r; ++c) {
-        put(r, c, left(kFar + r, kFar + c) + entry(element, near + r, near + c, lane));
-        put(kFar + r, kFar + c, entry(element, far + r, far + c, lane));
+        set(r, c, left(kFarRow + r, kFarRow + c) + entry(near + r, near + c));
+        set(kFarRow + r, kFarRow + c, entry(far + r, far + c));
       }
-      for (int c = 0; c < kNodeDofs; ++c) put(kFar + r, c, entry(element, far + r, near + c, lane));
+      for (int c = 0; c < kNodeDofs; ++c) set(kFarRow + r, c, entry(far + r, near + c));
     }
     for (int b = 0; b < border; ++b) {
-      const int row = kBorder + b;
-      for (int c = 0; c <= b; ++c) put(row, kBorder + c, left(row, kBorder + c));
+      const int row = kBorderRow + b;
       for (int c = 0; c < kNodeDofs; ++c) {
         const bool slid = b >= near_rows;
-        put(row, c,
-            slid ? left(row, kFar + c) + load(slide[b - near_rows][near + c] + lane) : left(row, kFar + c));
-        put(row, kFar + c, slid ? load(slide[b - near_rows][far + c] + lane) : zero);
+        set(row, c,
+            slid ? left(row, kFarRow + c) + get<Of>(slide[b - near_rows][near + c] + from)
+                 : left(row, kFarRow + c));
+        set(row, kFarRow + c, slid ? get<Of>(slide[b - near_rows][far + c] + from) : typename Of::Value{});
       }
     }
     switch (border) {
       case 0:
-        eliminatePanel<kBorder, 0>(link.matrix, link.inverse_pivot, lane);
+        eliminateNode<Of, kBorderRow>(front, link, lane);
         break;
       case kSlides:
-        eliminatePanel<kBorder + kSlides, 0>(link.matrix, link.inverse_pivot, lane);
+        eliminateNode<Of, kBorderRow + kSlides>(front, link, lane);
         break;
       case kNodeDofs:
-        eliminatePanel<kBorder + kNodeDofs, 0>(link.matrix, link.inverse_pivot, lane);
+        eliminateNode<Of, kBorderRow + kNodeDofs>(front, link, lane);
         break;
       default:
-        eliminatePanel<kLargestLink, 0>(link.matrix, link.inverse_pivot, lane);
+        eliminateNode<Of, kLargestFront>(front, link, lane);
     }
   }
   for (int k = 0; k < kNodeDofs; ++k) {
-    for (int lane = 0; lane < kLanes; ++lane)
-      negative_pivots[lane] += link.inverse_pivot[k][lane] > 0.0 ? 0 : 1;
+    for (int lane = 0; lane < Of::kCount; ++lane)
+      negative_pivots[lane] += link.lower[link.at(k, k)][lane] > 0.0 ? 0 : 1;
   }
 }
 
-void condense(const Link& link, int border_rows, double (*node)[kLanes], double (*far)[kLanes],
-              double (*border)[kLanes]) {
-  for (int lane = 0; lane < kLanes; lane += kWidth) {
-    Pack value[kNodeDofs];
-    for (int k = 0; k < kNodeDofs; ++k) value[k] = load(node[k] + lane);
-    const auto reduced = [&](int row, int columns, Pack of) {
-      for (int k = 0; k < columns; ++k) of -= load(link.matrix[packed(row, k)] + lane) * value[k];
+template <class Of>
+void condense(const Link<Of::kCount>& link, int border_rows, double (*node)[Of::kCount],
+              double (*far)[Of::kCount], double (*border)[Of::kCount]) {
+  for (int lane = 0; lane < Of::kCount; lane += Of::kStep) {
+    typename Of::Value value[kNodeDofs];
+    for (int k = 0; k < kNodeDofs; ++k) value[k] = get<Of>(node[k] + lane);
+    const auto reduced = [&](int row, int columns, typename Of::Value of) {
+      for (int k = 0; k < columns; ++k) of -= get<Of>(link.lower[link.at(row, k)] + lane) * value[k];
       return of;
     };
     for (int k = 1; k < kNodeDofs; ++k) value[k] = reduced(k, k, value[k]);
-    for (int k = 1; k < kNodeDofs; ++k) store(node[k] + lane, value[k]);
+    for (int k = 1; k < kNodeDofs; ++k) put<Of>(node[k] + lane, value[k]);
     for (int r = 0; r < kNodeDofs; ++r)
-      store(far[r] + lane, reduced(kFar + r, kNodeDofs, load(far[r] + lane)));
+      put<Of>(far[r] + lane, reduced(kFarRow + r, kNodeDofs, get<Of>(far[r] + lane)));
     for (int r = 0; r < border_rows; ++r) {
-      store(border[r] + lane, reduced(kBorder + r, kNodeDofs, load(border[r] + lane)));
+      put<Of>(border[r] + lane, reduced(kBorderRow + r, kNodeDofs, get<Of>(border[r] + lane)));
     }
   }
 }
 
-void expand(const Link& link, int border_rows, double (*node)[kLanes], const double (*far)[kLanes],
-            const double (*border)[kLanes]) {
-  for (int lane = 0; lane < kLanes; lane += kWidth) {
-    Pack value[kNodeDofs];
-    for (int k = 0; k < kNodeDofs; ++k) value[k] = load(node[k] + lane) * load(link.inverse_pivot[k] + lane);
-    const auto subtract = [&](int row, int columns, Pack x) {
-      for (int k = 0; k < columns; ++k) value[k] -= load(link.matrix[packed(row, k)] + lane) * x;
+template <class Of>
+void expand(const Link<Of::kCount>& link, int border_rows, double (*node)[Of::kCount],
+            const double (*far)[Of::kCount], const double (*border)[Of::kCount]) {
+  for (int lane = 0; lane < Of::kCount; lane += Of::kStep) {
+    typename Of::Value value[kNodeDofs];
+    for (int k = 0; k < kNodeDofs; ++k)
+      value[k] = get<Of>(node[k] + lane) * get<Of>(link.inverse_pivot[k] + lane);
+    const auto subtract = [&](int row, int columns, typename Of::Value x) {
+      for (int k = 0; k < columns; ++k) value[k] -= get<Of>(link.lower[link.at(row, k)] + lane) * x;
     };
-    for (int r = 0; r < border_rows; ++r) subtract(kBorder + r, kNodeDofs, load(border[r] + lane));
-    for (int r = 0; r < kNodeDofs; ++r) subtract(kFar + r, kNodeDofs, load(far[r] + lane));
+    for (int r = 0; r < border_rows; ++r) subtract(kBorderRow + r, kNodeDofs, get<Of>(border[r] + lane));
+    for (int r = 0; r < kNodeDofs; ++r) subtract(kFarRow + r, kNodeDofs, get<Of>(far[r] + lane));
     for (int k = kNodeDofs - 1; k > 0; --k) subtract(k, k, value[k]);
-    for (int k = 0; k < kNodeDofs; ++k) store(node[k] + lane, value[k]);
+    for (int k = 0; k < kNodeDofs; ++k) put<Of>(node[k] + lane, value[k]);
   }
 }
+
+template <class Of>
+constexpr Elimination<Of::kCount> kElimination = {start<Of>, eliminate<Of>, condense<Of>, expand<Of>};
 
 void force(const Energy& energy, double (*rhs)[kLanes], double (*left)[kLanes], double (*right)[kLanes]) {
   const Pack zero = {};
@@ -215,7 +240,7 @@ void advance(Input& in, const double (*motion)[kLanes], const double* active, do
 
 }  // namespace
 
-extern const ChainKernel CABLE_VARIATION_CHAIN_KERNEL = {start, eliminate, condense, expand,
-                                                         force, largest,   advance};
+extern const ChainKernel CABLE_VARIATION_CHAIN_KERNEL = {kElimination<Lanes>, kElimination<Alone>, force,
+                                                         largest, advance};
 
 }  // namespace cable_variation::element

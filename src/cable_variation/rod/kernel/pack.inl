@@ -13,6 +13,25 @@ inline Pack load(const double* lane) { return *reinterpret_cast<const Pack*>(lan
 inline void store(double* lane, Pack value) { *reinterpret_cast<Pack*>(lane) = value; }
 inline void add(double* lane, Pack value) { store(lane, load(lane) + value); }
 
+// How many rods are worked on, and how many at once: kLanes, as many as a register holds, ...
+struct Lanes {
+  using Value = Pack;
+  static constexpr int kCount = kLanes, kStep = kWidth;
+};
+// ... or one.
+struct Alone {
+  using Value = double;
+  static constexpr int kCount = 1, kStep = 1;
+};
+template <class Of>
+inline typename Of::Value get(const double* lane) {
+  return *reinterpret_cast<const typename Of::Value*>(lane);
+}
+template <class Of>
+inline void put(double* lane, typename Of::Value value) {
+  *reinterpret_cast<typename Of::Value*>(lane) = value;
+}
+
 // Of a lower triangle.
 constexpr int packed(int row, int column) { return row * (row + 1) / 2 + column; }
 
