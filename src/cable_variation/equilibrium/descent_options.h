@@ -9,16 +9,16 @@ namespace cable_variation {
 /// will not fall (Levenberg and Marquardt). M is each span's stiffness against its first bending mode, so λ
 /// has no unit.
 ///
-/// The defaults are for cables and hoses of any size and slenderness; no harness is known that needs others.
-/// What half and twice of each cost on random harnesses is told by `hunt --descent` (doc/hunt.md): that is
-/// where they come from, and how to find others. They change which of several stable shapes a start leads to,
-/// never what counts as an equilibrium.
+/// The defaults are for cables and hoses of any size and slenderness, and are not delicate: half and twice of
+/// each solve the same random harnesses in 0.93 to 1.16 times the steps (`hunt --descent`, doc/hunt.md, which
+/// is how to find others). They change which of several stable shapes a start leads to, never what counts as
+/// an equilibrium.
 struct DescentOptions {
   /// No section turns further in a step [rad]; above 0, at most 1. Beyond, the energy of a bending step is no
   /// longer near its quadratic model.
   double largest_rotation = 0.35;
-  /// No section moves further in a step, as a share of the longest cable; above 0, at most 1. A cable between
-  /// clips moves by a third of its length where it turns by one radian.
+  /// No section moves further in a step, as a share of the longest cable; above 0, at most 1. What swings or
+  /// slides as a whole needs this bound, as it turns no section far.
   double largest_displacement = 0.1;
   /// λ where damping begins; above 0, at most 1e6. At 1 the softest modes are damped as much as they resist.
   double first_damping = 0.1;
