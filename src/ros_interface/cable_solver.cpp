@@ -8,6 +8,13 @@
 
 namespace cable_variation_ros {
 
+namespace {
+
+/// A service cannot be cancelled, but the node ends.
+bool whileRosRuns(const cable_variation::Progress& /*progress*/) { return ros::ok(); }
+
+}  // namespace
+
 CableSolver::CableSolver(ros::NodeHandle node, const CableSolverParameters& parameters)
     : node_(std::move(node)),
       context_(loadScene(parameters.scene)),
@@ -23,22 +30,20 @@ CableSolver::CableSolver(ros::NodeHandle node, const CableSolverParameters& para
       load_scene_(node_, context_),
       design_(node_, context_),
       check_forbidden_region_(node_, context_, interference_, OutputDirectory(parameters.output_directory)),
-      envelope_runner_(context_, envelope_, spinning_, OutputDirectory(parameters.output_directory), names_,
-                       parameters.threads, parameters.memory_limit),
+      runner_(context_, spinning_, names_,
+              {parameters.threads, parameters.memory_limit, OutputDirectory(parameters.output_directory)}),
+      envelopes_(runner_, envelope_, kGenerateEnvelopeService),
       generate_envelope_(node_, kGenerateEnvelopeService,
                          [this](const cable_variation::GenerateEnvelopeRequest& request) {
-                           return envelope_runner_.run(request, [](const RunProgress&) { return ros::ok(); });
+                           return envelopes_.run(request, whileRosRuns);
                          }),
-      generate_envelope_action_(node_, envelope_runner_),
-      simulation_runner_(context_, variation_, spinning_, OutputDirectory(parameters.output_directory),
-                         names_, parameters.threads, parameters.memory_limit),
+      generate_envelope_action_(node_, kGenerateEnvelopeAction, envelopes_),
+      simulations_(runner_, variation_, kSimulateVariationService),
       simulate_variation_(node_, kSimulateVariationService,
                           [this](const cable_variation::SimulateVariationRequest& request) {
-                            return simulation_runner_.run(
-                                request, [](const cable_variation::SimulationProgress&,
-                                            const std::vector<std::string>&) { return ros::ok(); });
+                            return simulations_.run(request, whileRosRuns);
                           }),
-      simulate_variation_action_(node_, simulation_runner_) {
+      simulate_variation_action_(node_, kSimulateVariationAction, simulations_) {
   logWarnings(context_.design().scene);
   context_.onChange([this] { show(); });
   show();

@@ -4,6 +4,11 @@
 
 #include <ros/node_handle.h>
 
+#include <cable_variation/GenerateEnvelope.h>
+#include <cable_variation/GenerateEnvelopeAction.h>
+#include <cable_variation/SimulateVariation.h>
+#include <cable_variation/SimulateVariationAction.h>
+
 #include <ros_interface/context/solver_context.h>
 #include <ros_interface/context/solver_diagnostics.h>
 #include <ros_interface/display/envelope_publisher.h>
@@ -15,15 +20,16 @@
 #include <ros_interface/node/own_thread_service.h>
 #include <ros_interface/node/spinning_thread.h>
 #include <ros_interface/request/name_registry.h>
-#include <ros_interface/runs/envelope_runner.h>
-#include <ros_interface/runs/simulation_runner.h>
+#include <ros_interface/runs/envelope_run.h>
+#include <ros_interface/runs/request_runner.h>
+#include <ros_interface/runs/runner.h>
+#include <ros_interface/runs/simulation_run.h>
 #include <ros_interface/services/analyze_stability_service.h>
 #include <ros_interface/services/check_forbidden_region_service.h>
 #include <ros_interface/services/design_service.h>
-#include <ros_interface/services/generate_envelope_action.h>
 #include <ros_interface/services/get_scene_service.h>
 #include <ros_interface/services/load_scene_service.h>
-#include <ros_interface/services/simulate_variation_action.h>
+#include <ros_interface/services/run_action_server.h>
 #include <ros_interface/services/solve_equilibrium_service.h>
 
 namespace cable_variation_ros {
@@ -55,12 +61,13 @@ class CableSolver {
   LoadSceneService load_scene_;
   DesignService design_;
   CheckForbiddenRegionService check_forbidden_region_;
-  EnvelopeRunner envelope_runner_;
+  Runner runner_;
+  RequestRunner<EnvelopeRun> envelopes_;
   OwnThreadService<cable_variation::GenerateEnvelope> generate_envelope_;
-  GenerateEnvelopeServer generate_envelope_action_;
-  SimulationRunner simulation_runner_;
+  RunActionServer<cable_variation::GenerateEnvelopeAction, EnvelopeRun> generate_envelope_action_;
+  RequestRunner<SimulationRun> simulations_;
   OwnThreadService<cable_variation::SimulateVariation> simulate_variation_;
-  SimulateVariationServer simulate_variation_action_;
+  RunActionServer<cable_variation::SimulateVariationAction, SimulationRun> simulate_variation_action_;
   std::unique_ptr<TfFollower> follower_;
 };
 

@@ -329,7 +329,7 @@ TEST(envelope_generator, reports_progress_and_stops_when_asked) {
   EnvelopeOptions options = exactly();
   options.variables = {0};
   std::vector<double> shares;
-  generateEnvelope(scene, options, solverOf(scene), [&](const EnvelopeProgress& progress) {
+  generateEnvelope(scene, options, solverOf(scene), [&](const Progress& progress) {
     shares.push_back(progress.share);
     return true;
   });
@@ -338,9 +338,9 @@ TEST(envelope_generator, reports_progress_and_stops_when_asked) {
   EXPECT_LE(shares.back(), 1.0);
   for (std::size_t stop = 1; stop < shares.size(); stop += 2) {
     std::size_t calls = 0;
-    EXPECT_THROW(generateEnvelope(scene, options, solverOf(scene),
-                                  [&](const EnvelopeProgress&) { return ++calls < stop; }),
-                 Cancelled);
+    EXPECT_THROW(
+        generateEnvelope(scene, options, solverOf(scene), [&](const Progress&) { return ++calls < stop; }),
+        Cancelled);
     EXPECT_EQ(calls, stop);
   }
 }

@@ -75,7 +75,7 @@ Grown grownBy(const Scene& scene, const EnvelopeOptions& options) {
   const double before = residentMemory();
   std::atomic<double> most{before};
   Grown grown;
-  grown.envelope = generateEnvelope(scene, options, solver, [&](const EnvelopeProgress&) {
+  grown.envelope = generateEnvelope(scene, options, solver, [&](const Progress&) {
     most = std::max(most.load(), residentMemory());
     return true;
   });

@@ -5,6 +5,7 @@ import os
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 import xml.dom.minidom
 
@@ -45,6 +46,24 @@ def volume(mesh):
     points = vertices(mesh)
     corners = points[numpy.array([each.vertex_indices for each in mesh.triangles])]
     return numpy.einsum('ij,ij->i', corners[:, 0], numpy.cross(corners[:, 1], corners[:, 2])).sum() / 6
+
+
+def large_scene(clips=1500):
+    """A scene that takes a second or more to load: a straight cable held by many clips."""
+    lines = ['materials: {bundle: {young_modulus: 1.0e8, poisson_ratio: 0.25, density: 2000}}',
+             'cables: [{name: strand, length: %g, section: {type: solid, radius: 2 mm, material: bundle}}]' %
+             (0.1 * (clips - 1)), 'clips:']
+    for i in range(clips):
+        at = {0: 'start', clips - 1: 'end'}.get(i, '%g' % (0.1 * i))
+        lines.append('  - {name: C%d, type: fixed, cable: strand, at: %s, pose: {position: [%g, 0, 0]}}' % (i, at, 0.1 * i))
+    return '\n'.join(lines)
+
+
+def cpu_time(pid):
+    """Of a process, all its threads [s]."""
+    with open('/proc/%d/stat' % pid) as file:
+        fields = file.read().rsplit(')', 1)[1].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf('SC_CLK_TCK')
 
 
 class GenerateEnvelopeTest(NodeTest):
@@ -286,6 +305,59 @@ class GenerateEnvelopeTest(NodeTest):
         self.assertEqual(client.get_state(), GoalStatus.PREEMPTED)
         self.assertEqual(client.get_result().status.code, Status.CANCELLED)
 
+    def cancelled(self, client):
+        """Cancels its goal, and returns after how many seconds that was answered."""
+        start = time.time()
+        client.cancel_goal()
+        self.assertTrue(self.finished(client))
+        self.assertEqual(client.get_state(), GoalStatus.PREEMPTED)
+        self.assertEqual(client.get_result().status.code, Status.CANCELLED)
+        return time.time() - start
+
+    def test_a_cancel_is_answered_at_once_while_a_scene_is_loaded(self):
+        with tempfile.TemporaryDirectory() as folder:
+            scene = os.path.join(folder, 'large.yaml')
+            with open(scene, 'w') as file:
+                file.write(large_scene())
+            self.writer(os.path.join(folder, 'out'))
+            client, load = self.client('/writer'), self.service('/writer/load_scene', LoadScene)
+            self.begin(client, **ENDLESS)
+            loaded = []
+            loading = threading.Thread(target=lambda: loaded.append(load(scene)))
+            loading.start()
+            time.sleep(0.3)  # then the node's thread is at it
+            seconds = self.cancelled(client)
+            client.send_goal(GenerateEnvelopeGoal(**ENDLESS))
+            time.sleep(0.1)  # this one waits for the thread
+            waited = self.cancelled(client)
+            self.assertEqual(loaded, [])  # so it was all meanwhile
+            loading.join()
+            self.assertSuccess(loaded[0].status)
+            self.assertLess(max(seconds, waited), AT_ONCE)
+
+    def test_what_was_cancelled_does_not_go_on(self):
+        with tempfile.TemporaryDirectory() as folder:
+            process = self.writer(folder)
+            client = self.client('/writer')
+            for _ in range(5):
+                self.begin(client, **ENDLESS)
+                self.assertLess(self.cancelled(client), AT_ONCE)
+            time.sleep(AT_ONCE)
+            before = cpu_time(process.pid)
+            time.sleep(1)
+            self.assertLess(cpu_time(process.pid) - before, 0.2)
+
+    def test_the_service_and_the_action_at_once_answer_what_they_do_alone(self):
+        alone = self.generate(variables=['b_z', 'a_ry'])
+        client = self.client()
+        self.begin(client, **ENDLESS)
+        together = self.generate(variables=['b_z', 'a_ry'])
+        self.assertSuccess(together.status)
+        self.assertEqual((together.mesh, together.clearances, together.inflation),
+                         (alone.mesh, alone.clearances, alone.inflation))
+        self.assertIn(client.get_state(), (GoalStatus.ACTIVE, GoalStatus.PENDING))
+        self.cancelled(client)
+
     def test_a_new_goal_takes_the_place_of_the_old_one(self):
         first, second = self.client(), self.client()
         self.begin(first, **ENDLESS)
@@ -365,13 +437,25 @@ class GenerateEnvelopeTest(NodeTest):
             process.wait(self.TIMEOUT)
             self.assertEqual(os.listdir(folder), [])
 
-    def test_a_file_that_cannot_be_written_costs_nothing_else(self):
+    def test_a_folder_that_cannot_be_written_is_named_at_once(self):
         with tempfile.NamedTemporaryFile() as file:
             folder = os.path.join(file.name, 'below')
             self.writer(folder)
-            answer = self.service('/writer/generate_envelope', GenerateEnvelope)(variables=['b_z'], name='run_1')
+            generate = self.service('/writer/generate_envelope', GenerateEnvelope)
+            start = time.time()
+            answer = generate(name='run_1', **ENDLESS)
+            self.assertLess(time.time() - start, 1)
             self.assertRefused(answer.status, Status.IO_ERROR, folder)
             self.assertEqual(answer.status.message.count(folder), 1)
+            self.assertEqual((answer.pieces, answer.mesh.triangles), (0, []))
+
+    def test_files_that_cannot_be_written_cost_nothing_else(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for extension in ('stl', 'urdf', 'obj'):
+                os.mkdir(os.path.join(folder, 'run_1.' + extension))  # in the way
+            self.writer(folder)
+            answer = self.service('/writer/generate_envelope', GenerateEnvelope)(variables=['b_z'], name='run_1')
+            self.assertRefused(answer.status, Status.IO_ERROR, 'run_1.stl', 'run_1.urdf', 'run_1.obj')
             self.assertGreater(len(answer.mesh.triangles), 100)
             self.assertGreater(answer.pieces, 0)
             self.assertGreater(len(answer.clearances), 0)

@@ -22,7 +22,7 @@ TEST(BackgroundRun, TellsHowFarItIsAndThatItHasEnded) {
     control.report({"shapes", 0.5, 12, 0.25});
     told.wait();
   });
-  while (run.control().progress().solves == 0) EXPECT_FALSE(run.wait(1ms));
+  while (run.control().progress().done == 0) EXPECT_FALSE(run.wait(1ms));
   EXPECT_EQ(run.control().progress().stage, "shapes");
   EXPECT_EQ(run.control().progress().share, 0.5);
   EXPECT_EQ(run.control().progress().time, 0.25);
@@ -63,6 +63,16 @@ TEST(BackgroundRun, WhatIsBeingCompletedCannotBeCancelled) {
   go_on.set_value();
   ASSERT_TRUE(run.wait(kLong));
   EXPECT_NO_THROW(run.finish());
+}
+
+TEST(BackgroundRun, ACalculationOfTheCoreTellsItsShareOfTheWholeAndIsAskedToEnd) {
+  RunControl control;
+  const cable_variation::ProgressObserver observer = control.observer(0.8);
+  EXPECT_TRUE(observer({"shapes", 0.5, 12}));
+  EXPECT_EQ(control.progress().stage, "shapes");
+  EXPECT_EQ(control.progress().share, 0.4);
+  EXPECT_TRUE(control.cancel());
+  EXPECT_FALSE(observer({"shapes", 0.6, 13}));
 }
 
 TEST(BackgroundRun, GoingAwayCancels) {

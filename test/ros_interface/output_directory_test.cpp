@@ -48,6 +48,23 @@ TEST_F(OutputDirectoryTest, NamesThatLeadElsewhereAreRefused) {
   EXPECT_NO_THROW(OutputDirectory::checkName(std::string(100, 'a')));
 }
 
+TEST_F(OutputDirectoryTest, WhetherFilesCanBeWrittenIsToldWithoutATrace) {
+  EXPECT_NO_THROW(OutputDirectory((path_ / "a" / "b").string()).requireWritable());
+  EXPECT_FALSE(fs::exists(path_));
+  fs::create_directory(path_);
+  EXPECT_NO_THROW(OutputDirectory(path_.string()).requireWritable());
+  EXPECT_TRUE(fs::is_empty(path_));
+  const cable_variation::TemporaryFile file("in_the_way", {});
+  for (const std::string& folder : {file.path(), file.path() + "/below", file.path() + "/below/that"}) {
+    try {
+      OutputDirectory(folder).requireWritable();
+      ADD_FAILURE() << folder;
+    } catch (const cable_variation::FileError& error) {
+      EXPECT_NE(std::string(error.what()).find("'" + folder + "'"), std::string::npos) << error.what();
+    }
+  }
+}
+
 TEST_F(OutputDirectoryTest, AFolderThatCannotBeMadeIsNamed) {
   const cable_variation::TemporaryFile file("in_the_way", {});
   try {

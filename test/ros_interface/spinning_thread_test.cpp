@@ -40,6 +40,36 @@ TEST(SpinningThread, HandsOnWhatATaskThrows) {
   });
 }
 
+TEST(SpinningThread, WhoeverWaitsNoLongerIsLetGoAndTheTaskIsNotBegun) {
+  ros::CallbackQueue queue;
+  SpinningThread spinning(queue);
+  const auto ran = std::make_shared<bool>(false);
+  int asked = 0;
+  EXPECT_THROW(spinning.run([ran] { *ran = true; }, [&] { return ++asked < 3; }), cable_variation::Cancelled);
+  EXPECT_EQ(asked, 3);
+  queue.callAvailable();
+  EXPECT_FALSE(*ran);
+}
+
+TEST(SpinningThread, WhoeverWaitsNoLongerIsLetGoInTheMiddleOfTheTaskToo) {
+  ros::CallbackQueue queue;
+  SpinningThread spinning(queue);
+  const auto begun = std::make_shared<std::atomic<bool>>(false);
+  const auto left = std::make_shared<std::atomic<bool>>(false);
+  std::thread waiting([&] {
+    EXPECT_THROW(spinning.run(
+                     [begun, left] {
+                       *begun = true;
+                       while (!*left) std::this_thread::yield();
+                     },
+                     [&] { return !*begun; }),
+                 cable_variation::Cancelled);
+    *left = true;
+  });
+  while (!*begun) queue.callAvailable(ros::WallDuration(0.01));
+  waiting.join();
+}
+
 TEST(SpinningThread, WhoeverWaitsWhenItStopsIsToldAndTheTaskIsNotRun) {
   ros::CallbackQueue queue;
   SpinningThread spinning(queue);

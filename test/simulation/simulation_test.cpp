@@ -83,7 +83,7 @@ struct Produced {
 };
 
 Produced simulate(const Scene& scene, const SimulationOptions& options,
-                  const SimulationObserver& observer = {}) {
+                  const ProgressObserver& observer = {}) {
   const SolvedDesign design(scene);
   Produced run;
   const std::size_t variables = options.variables.size();
@@ -219,7 +219,7 @@ TEST(simulation, gives_the_same_bits_whatever_the_threads) {
   std::optional<Produced> first;
   for (const std::size_t threads : {1, 2, 5}) {
     options.threads = threads;
-    Produced run = simulate(scene, options, [](const SimulationProgress&) { return true; });
+    Produced run = simulate(scene, options, [](const Progress&) { return true; });
     if (!first) {
       first = std::move(run);
       continue;
@@ -248,10 +248,10 @@ TEST(simulation, keeps_what_was_done_when_it_is_ended) {
   const Scene scene = shippedHarness();
   SimulationOptions options = optionsFor(scene, 1000000);
   options.measures = {0, 4};
-  std::vector<SimulationProgress> told;
-  const Produced run = simulate(scene, options, [&](const SimulationProgress& progress) {
+  std::vector<Progress> told;
+  const Produced run = simulate(scene, options, [&](const Progress& progress) {
     told.push_back(progress);
-    return told.size() < 3 || progress.samples < 500;
+    return told.size() < 3 || progress.done < 500;
   });
   const std::uint64_t done = run.simulation.statistics.samples;
   EXPECT_TRUE(run.simulation.ended_early);
@@ -261,8 +261,11 @@ TEST(simulation, keeps_what_was_done_when_it_is_ended) {
   EXPECT_EQ(run.samples.size(), done);
   ASSERT_GE(told.size(), 3u);
   EXPECT_EQ(told.back().wanted, 1000000u);
-  EXPECT_GT(told.back().remaining, told.back().elapsed);
-  EXPECT_EQ(told.back().mean.size(), 2u);
+  EXPECT_EQ(told.back().stage, "samples");
+  EXPECT_EQ(told.back().share, static_cast<double>(told.back().done) / 1000000.0);
+  ASSERT_EQ(told.back().figures.size(), 2u);
+  EXPECT_EQ(told.back().figures[0].measure, scene.measures[0].name);
+  EXPECT_GT(told.back().figures[0].sigma, 0.0);
   // a simulation of just so many tells the same
   options.samples = done;
   const Produced whole = simulate(scene, options);
@@ -443,7 +446,7 @@ TEST(simulation, can_be_ended_before_its_first_sample) {
   SimulationOptions options = optionsFor(scene, 1000);
   options.motions = {0};
   options.to = 20.0;
-  const Produced run = simulate(scene, options, [](const SimulationProgress&) { return false; });
+  const Produced run = simulate(scene, options, [](const Progress&) { return false; });
   EXPECT_TRUE(run.simulation.ended_early);
   EXPECT_EQ(run.simulation.statistics.samples, 0u);
   EXPECT_TRUE(run.samples.empty());

@@ -40,7 +40,7 @@ void noticeJump(const ShapeFollower& before, const ShapeFollower& after, Envelop
 
 std::vector<PhaseSearch> searchesAlongDesign(const StretchReader& reader, const EquilibriumSolver& solver,
                                              const std::vector<MotionPhase>& phases, double tolerance,
-                                             EnvelopeReporter& report, Envelope& envelope) {
+                                             ProgressReporter& report, Envelope& envelope) {
   std::vector<PhaseSearch> searches;
   searches.reserve(phases.size());
   EquilibriumSolver following = solver;

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include <cable_variation/envelope/envelope_reporter.h>
 #include <cable_variation/envelope/search/phase_search.h>
 #include <cable_variation/tracking/motion_phases.h>
+#include <cable_variation/util/progress.h>
 
 namespace cable_variation {
 
@@ -15,6 +15,6 @@ namespace cable_variation {
 /// Throws as requireConverged(): no equilibrium of the design in a phase.
 std::vector<PhaseSearch> searchesAlongDesign(const StretchReader& reader, const EquilibriumSolver& solver,
                                              const std::vector<MotionPhase>& phases, double tolerance,
-                                             EnvelopeReporter& report, Envelope& envelope);
+                                             ProgressReporter& report, Envelope& envelope);
 
 }  // namespace cable_variation

@@ -12,7 +12,6 @@
 #include <cable_variation/envelope/envelope_assembly.h>
 #include <cable_variation/envelope/envelope_check.h>
 #include <cable_variation/envelope/envelope_memory.h>
-#include <cable_variation/envelope/envelope_reporter.h>
 #include <cable_variation/envelope/envelope_tightness.h>
 #include <cable_variation/envelope/envelope_verification.h>
 #include <cable_variation/envelope/envelope_warning.h>
@@ -84,7 +83,7 @@ Protrusions largestProtrusions(const std::vector<RandomShape>& shapes) {
 class Generator {
  public:
   Generator(const Scene& scene, const EnvelopeOptions& options, const EquilibriumSolver& solver,
-            const EnvelopeObserver& observer, const SolvedWitness& witness)
+            const ProgressObserver& observer, const SolvedWitness& witness)
       : options_(checkedOptions(scene, options)),
         space_(scene, options_),
         solver_(solver),
@@ -378,7 +377,7 @@ class Generator {
   EnvelopeOptions options_;
   SampleSpace space_;
   EquilibriumSolver solver_;
-  EnvelopeReporter report_;
+  ProgressReporter report_;
   const SolvedWitness& witness_;
   double end_ = 0.0;
   EnvelopeMemory memory_;
@@ -395,7 +394,7 @@ class Generator {
 }  // namespace
 
 Envelope generateEnvelope(const Scene& scene, const EnvelopeOptions& options, const EquilibriumSolver& solver,
-                          const EnvelopeObserver& observer, const SolvedWitness& witness) {
+                          const ProgressObserver& observer, const SolvedWitness& witness) {
   Envelope envelope;
   withThreads(options.threads,
               [&] { envelope = Generator(scene, options, solver, observer, witness).run(); });

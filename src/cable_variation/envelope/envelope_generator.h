@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -10,6 +9,7 @@
 #include <cable_variation/scene/scene.h>
 #include <cable_variation/tolerances/varied_design.h>
 #include <cable_variation/tracking/shape_follower.h>
+#include <cable_variation/util/progress.h>
 
 namespace cable_variation {
 
@@ -36,25 +36,16 @@ struct EnvelopeOptions : VariedDesign {
   std::size_t threads = 0;  ///< 0: as many as there are cores
 };
 
-struct EnvelopeProgress {
-  const char* stage = "";  ///< for a person: "shapes", "containment", "tightness"
-  double share = 0.0;      ///< of the whole, 0 to 1
-  std::size_t solves = 0;
-  double time = 0.0;  ///< of the motion, reached [s]
-};
-
-/// Asked now and then, from one thread at a time; false: stop, Cancelled is thrown.
-using EnvelopeObserver = std::function<bool(const EnvelopeProgress&)>;
-
 /// Throws std::invalid_argument: nothing varies, an index out of range, a motion that is empty, margins or
 /// counts that are none, a probability over a motion or without inflation, planFor(), what would take more
 /// memory than allowed, with what it would take; as requireConverged() does: no equilibrium at the design
 /// itself; NotConverged: of more of production than may be outside; Cancelled.
 /// @param solver the design's shape to follow, best solved; else it is solved from nothing
+/// @param observer told of the stages "shapes", "containment" and "tightness"; asked for an end: Cancelled
 /// @param witness told of every harness solved that the envelope is to hold: all, for containment and
 /// tightness too; with a probability of those for verification
 Envelope generateEnvelope(const Scene& scene, const EnvelopeOptions& options, const EquilibriumSolver& solver,
-                          const EnvelopeObserver& observer = {}, const SolvedWitness& witness = {});
+                          const ProgressObserver& observer = {}, const SolvedWitness& witness = {});
 
 /// A harness of the design within its tolerances, solved again: what an EnvelopeSample stands for.
 struct SolvedSample {

@@ -56,8 +56,10 @@ Tightness tightnessOf(const std::vector<EnvelopePiece>& pieces, double voxel, st
   while (tightnessMemory(box, tightness.voxel) > most) tightness.voxel *= kCoarser;
   const VoxelSet none(box, tightness.voxel);
   VoxelSets of_pieces(none);
-  tbb::parallel_for(std::size_t{0}, pieces.size(),
-                    [&](std::size_t i) { of_pieces.local().addBody(pieces[i].body); });
+  tbb::parallel_for(std::size_t{0}, pieces.size(), [&](std::size_t i) {
+    progress(0);
+    of_pieces.local().addBody(pieces[i].body);
+  });
   tightness.envelope_volume = volumeOf(of_pieces, none);
   of_pieces.clear();
 

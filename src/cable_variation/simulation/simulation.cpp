@@ -30,7 +30,7 @@ constexpr std::size_t kBlock = 128;
 constexpr std::uint64_t kPilot = 1024, kGrowth = 2;
 // Trial samples that the times of a motion are chosen by, of another seed than the simulation's.
 constexpr std::uint64_t kTrials = 256, kTrialSeed = 0x9e3779b97f4a7c15;
-constexpr double kAsked = 0.1;  // the observer, at most so often [s]
+constexpr double kAsked = 0.05;  // the observer, at most so often [s]
 // What is missed over a motion is warned of from this share of a measure's σ.
 constexpr double kMissed = 0.05;
 
@@ -49,9 +49,12 @@ template <typename... Parts>
 // Tells the observer, one thread at a time, and remembers when it wants an end.
 class Watch {
  public:
-  Watch(const SimulationObserver& observer, Clock::time_point start, std::uint64_t wanted)
-      : observer_(observer), start_(start) {
-    progress_.wanted = wanted;
+  Watch(const ProgressObserver& observer, const Scene& scene, const SimulationOptions& options)
+      : observer_(observer), start_(Clock::now()) {
+    progress_.stage = "times";
+    progress_.wanted = options.samples;
+    for (const std::size_t index : options.measures)
+      progress_.figures.push_back({scene.measures[index].name, kNaN, kNaN});
   }
 
   bool ended() const { return ended_; }
@@ -60,15 +63,16 @@ class Watch {
     if (!observer_ || secondsSince(start_) < refreshed_ + kAsked) return;
     const std::lock_guard<std::mutex> lock(mutex_);
     refreshed_ = secondsSince(start_);
-    progress_.samples = figures.samples();
+    progress_.stage = "samples";
+    progress_.done = figures.samples();
     progress_.wanted = wanted;
+    progress_.share = static_cast<double>(progress_.done) / static_cast<double>(wanted);
     progress_.snapped = figures.count(SampleOutcome::snapped);
     progress_.failed = figures.count(SampleOutcome::not_converged) + figures.count(SampleOutcome::impossible);
-    progress_.mean.clear();
-    progress_.sigma.clear();
-    for (const RunningFigures& running : figures.running()) {
-      progress_.mean.push_back(running.mean);
-      progress_.sigma.push_back(running.sigma);
+    const std::vector<RunningFigures> running = figures.running();
+    for (std::size_t i = 0; i < running.size(); ++i) {
+      progress_.figures[i].mean = running[i].mean;
+      progress_.figures[i].sigma = running[i].sigma;
     }
     if (due()) tell();
   }
@@ -86,19 +90,14 @@ class Watch {
   bool due() const { return secondsSince(start_) > told_ + kAsked; }
 
   void tell() {
-    progress_.elapsed = secondsSince(start_);
-    const auto done = static_cast<double>(progress_.samples);
-    progress_.remaining = progress_.samples == 0
-                              ? kNaN
-                              : progress_.elapsed * (static_cast<double>(progress_.wanted) - done) / done;
-    told_ = progress_.elapsed;
+    told_ = secondsSince(start_);
     if (!ended_) ended_ = !observer_(progress_);
   }
 
-  const SimulationObserver& observer_;
+  const ProgressObserver& observer_;
   Clock::time_point start_;
   std::mutex mutex_;
-  SimulationProgress progress_;
+  Progress progress_;
   double refreshed_ = 0.0;  // the figures in it [s]; told or not, for others tell in between
   std::atomic<double> told_{0.0};
   std::atomic<bool> ended_{false};
@@ -128,8 +127,7 @@ SimulationOptions checked(const Scene& scene, SimulationOptions options) {
 class Simulator {
  public:
   Simulator(const Scene& scene, const MeasureEvaluator& evaluator, const SimulationOptions& options,
-            const EquilibriumSolver& solver, const SampleReceiver& receiver,
-            const SimulationObserver& observer)
+            const EquilibriumSolver& solver, const SampleReceiver& receiver, const ProgressObserver& observer)
       : start_(Clock::now()),
         scene_(scene),
         evaluator_(evaluator),
@@ -138,7 +136,7 @@ class Simulator {
         sampler_(scene, options_.variables, options_.sampler, options_.samples, options_.seed),
         solver_(solver),
         receiver_(receiver),
-        watch_(observer, start_, options_.samples) {
+        watch_(observer, scene, options_) {
     requirePhysical();
   }
 
@@ -187,6 +185,7 @@ class Simulator {
     }
     EquilibriumSolver solver = solver_;
     for (const double time : times) {
+      if (!instants_.empty() && !watch_.goesOn()) return;
       instants_.push_back(std::make_unique<const DesignInstant>(space_, options_, options_.measures,
                                                                 evaluator_, options_.sections, solver, time));
       solver = instants_.back()->solver();
@@ -366,7 +365,7 @@ class Simulator {
 
 Simulation simulateVariation(const Scene& scene, const MeasureEvaluator& evaluator,
                              const SimulationOptions& options, const EquilibriumSolver& solver,
-                             const SampleReceiver& receiver, const SimulationObserver& observer) {
+                             const SampleReceiver& receiver, const ProgressObserver& observer) {
   return Simulator(scene, evaluator, options, solver, receiver, observer).run();
 }
 

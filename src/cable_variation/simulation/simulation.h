@@ -14,6 +14,7 @@
 #include <cable_variation/simulation/simulation_statistics.h>
 #include <cable_variation/statistics/arc_variation.h>
 #include <cable_variation/tolerances/varied_design.h>
+#include <cable_variation/util/progress.h>
 
 namespace cable_variation {
 
@@ -79,17 +80,6 @@ struct Simulation {
   std::vector<std::string> warnings;
 };
 
-struct SimulationProgress {
-  std::uint64_t samples = 0, wanted = 0;  ///< wanted: as far as is known yet
-  double elapsed = 0.0;                   ///< [s]
-  double remaining = 0.0;                 ///< estimate [s]; not a number: not known yet
-  std::uint64_t snapped = 0, failed = 0;
-  std::vector<double> mean, sigma;  ///< per measure, of the samples so far
-};
-
-/// Asked now and then, at least some times a second, from one thread at a time; false: end with what is done.
-using SimulationObserver = std::function<bool(const SimulationProgress&)>;
-
 /// Given every sample in the order of its index, from one thread at a time.
 /// @param deviations one per variable @param values one per measure; without an equilibrium nullptr
 using SampleReceiver = std::function<void(std::uint64_t index, SampleOutcome outcome,
@@ -108,11 +98,12 @@ using SampleReceiver = std::function<void(std::uint64_t index, SampleOutcome out
 ///
 /// @param evaluator of the scene, whatever its nominal shape: similarities are to the design at that time
 /// @param solver the design's shape to follow, best solved; else it is solved from nothing
+/// @param observer told of the stages "times" (of a motion) and "samples"; asked for an end: what is done
 /// Throws std::invalid_argument that names it: nothing varies, an index out of range or twice, counts,
 /// confidence or times that are none, a variable whose tolerance leaves the physical; as requireConverged()
 /// does: no equilibrium of the design itself.
 Simulation simulateVariation(const Scene& scene, const MeasureEvaluator& evaluator,
                              const SimulationOptions& options, const EquilibriumSolver& solver,
-                             const SampleReceiver& receiver = {}, const SimulationObserver& observer = {});
+                             const SampleReceiver& receiver = {}, const ProgressObserver& observer = {});
 
 }  // namespace cable_variation

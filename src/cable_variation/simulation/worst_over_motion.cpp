@@ -81,12 +81,13 @@ class Search {
     return true;
   }
 
-  WorstTimes choose(std::size_t most) {
+  // No times: it was left.
+  WorstTimes choose(std::size_t most, const std::function<bool()>& goes_on) {
     WorstTimes result;
     result.phases = models_.size();
     countUnknown(result);
     result.missed.assign(measures_.size(), 0.0);
-    findWorst();
+    if (!findWorst(goes_on)) return {};
     if (!(worst_.array() > kNone).any()) {
       for (std::size_t i = 0; i < std::min(most, models_.size()); ++i)
         result.times.push_back(models_[i * models_.size() / std::min(most, models_.size())].phase.reference);
@@ -140,12 +141,14 @@ class Search {
     return missed;
   }
 
-  void findWorst() {
+  // Whether it was not left.
+  bool findWorst(const std::function<bool()>& goes_on) {
     const auto rows = static_cast<Eigen::Index>(measures_.size());
     worst_.setConstant(rows, trials_.cols(), kNone);
     worst_at_.resize(static_cast<std::size_t>(worst_.size()));
     for (std::size_t m = 0; m < models_.size(); ++m) {
       for (const double time : models_[m].phase.times) {
+        if (!goes_on()) return false;
         const Eigen::MatrixXd at = severityAt({m, time});
         for (Eigen::Index k = 0; k < at.size(); ++k) {
           if (!(at(k) > worst_(k))) continue;
@@ -159,6 +162,7 @@ class Search {
       const double spread = spreadOf(worst_.row(i));
       scale_[i] = spread > 0.0 ? spread : std::numeric_limits<double>::infinity();
     }
+    return true;
   }
 
   // Standard deviation of those that are finite.
@@ -248,7 +252,7 @@ WorstTimes findWorstTimes(const SampleSpace& space, const std::vector<std::size_
                           std::size_t most, EquilibriumSolver solver, const std::function<bool()>& goes_on) {
   Search search(space, measures, trials);
   if (!search.model(evaluator, from, to, std::move(solver), goes_on)) return {};
-  return search.choose(most);
+  return search.choose(most, goes_on);
 }
 
 }  // namespace cable_variation

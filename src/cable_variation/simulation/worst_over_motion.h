@@ -35,7 +35,7 @@ struct WorstTimes {
 /// (the bend radius of a straight cable), has no say; without any that has one, times are spread evenly.
 /// @param trials draws deviations; all of them are looked at
 /// @param solver the design's shape to follow
-/// @param goes_on asked at every phase; false: leave it, no times
+/// @param goes_on asked at every pose; false: leave it, no times
 /// Throws as requireConverged(), naming the time: the design has no equilibrium.
 WorstTimes findWorstTimes(const SampleSpace& space, const std::vector<std::size_t>& measures,
                           const MeasureEvaluator& evaluator, const Sampler& trials, double from, double to,

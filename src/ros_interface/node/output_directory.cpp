@@ -1,9 +1,13 @@
 #include <ros_interface/node/output_directory.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
+#include <system_error>
+
+#include <unistd.h>
 
 #include <cable_variation/util/error.h>
 
@@ -53,6 +57,17 @@ void OutputDirectory::make() const {
   std::error_code error;
   std::filesystem::create_directories(path_, error);
   if (error) throw cable_variation::FileError("folder '" + path_ + "' cannot be made: " + error.message());
+}
+
+void OutputDirectory::requireWritable() const {
+  std::filesystem::path there = path_;  // the folder, or what is there of the way to it
+  std::error_code error;
+  while (!std::filesystem::exists(there, error) && there.has_relative_path()) there = there.parent_path();
+  const std::string folder = "folder '" + path_ + "' cannot be " + (there == path_ ? "written to" : "made");
+  if (!std::filesystem::is_directory(there, error))
+    throw cable_variation::FileError(folder + ": '" + there.string() + "' is no folder");
+  if (::access(there.c_str(), W_OK | X_OK) != 0)
+    throw cable_variation::FileError(folder + ": " + std::generic_category().message(errno));
 }
 
 std::string OutputDirectory::fileFor(const std::string& name, const std::string& extension) const {

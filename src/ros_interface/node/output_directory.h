@@ -25,6 +25,10 @@ class OutputDirectory {
   /// made.
   void make() const;
 
+  /// Whether files can be written there, as far as that can be told before one is; makes nothing. Throws
+  /// cable_variation::FileError that names the folder and what is wrong.
+  void requireWritable() const;
+
   /// pathOf() in a folder that is there. Throws as both.
   std::string fileFor(const std::string& name, const std::string& extension) const;
 

@@ -1,8 +1,10 @@
 #include <ros_interface/node/spinning_thread.h>
 
+#include <chrono>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
+#include <utility>
 
 #include <ros/callback_queue_interface.h>
 
@@ -16,17 +18,19 @@ struct SpinningThread::Shared {
 
 namespace {
 
+constexpr std::chrono::milliseconds kLook(20);
+
 /// One task, called from the queue as callbacks are.
 template <typename Shared>
 class Call : public ros::CallbackInterface {
  public:
-  Call(std::shared_ptr<Shared> shared, const std::function<void()>& task)
-      : shared_(std::move(shared)), task_(task) {}
+  Call(std::shared_ptr<Shared> shared, std::function<void()> task)
+      : shared_(std::move(shared)), task_(std::move(task)) {}
 
   CallResult call() override {
     {
       const std::lock_guard<std::mutex> lock(shared_->mutex);
-      if (shared_->stopped) return Success;  // whoever waited has gone, and the task with it
+      if (shared_->stopped || left_) return Success;  // whoever waited has gone
     }
     try {
       task_();
@@ -39,18 +43,28 @@ class Call : public ros::CallbackInterface {
     return Success;
   }
 
-  void wait() {
+  void wait(const std::function<bool()>& goes_on) {
     std::unique_lock<std::mutex> lock(shared_->mutex);
-    shared_->changed.wait(lock, [&] { return done_ || shared_->stopped; });
+    const auto ended = [&] { return done_ || shared_->stopped; };
+    while (!shared_->changed.wait_for(lock, kLook, ended)) {
+      if (!goes_on) continue;
+      lock.unlock();
+      const bool left = !goes_on();
+      lock.lock();
+      if (!left || ended()) continue;
+      left_ = true;
+      throw cable_variation::Cancelled();
+    }
     if (!done_) throw NodeEnds();
     if (error_) std::rethrow_exception(error_);
   }
 
  private:
   std::shared_ptr<Shared> shared_;
-  const std::function<void()>& task_;
+  const std::function<void()> task_;
   std::exception_ptr error_;
   bool done_ = false;
+  bool left_ = false;  // nobody waits
 };
 
 }  // namespace
@@ -58,11 +72,11 @@ class Call : public ros::CallbackInterface {
 SpinningThread::SpinningThread(ros::CallbackQueueInterface& queue)
     : queue_(queue), shared_(std::make_shared<Shared>()) {}
 
-void SpinningThread::run(const std::function<void()>& task) {
+void SpinningThread::run(std::function<void()> task, const std::function<bool()>& goes_on) {
   if (stopped()) throw NodeEnds();
-  const auto call = boost::make_shared<Call<Shared>>(shared_, task);
+  const auto call = boost::make_shared<Call<Shared>>(shared_, std::move(task));
   queue_.addCallback(call);
-  call->wait();
+  call->wait(goes_on);
 }
 
 void SpinningThread::stop() {

@@ -24,8 +24,11 @@ class SpinningThread {
   explicit SpinningThread(ros::CallbackQueueInterface& queue);
 
   /// From another thread: has `task` run between two callbacks, waits for it and throws what it throws.
-  /// Throws NodeEnds if stop() came first.
-  void run(const std::function<void()>& task);
+  /// @param task must own what it uses if `goes_on` is given: it may still run when nobody waits for it
+  /// @param goes_on asked by the waiting thread, some fifty times a second; false: it waits no longer
+  /// Throws cable_variation::Cancelled as soon as `goes_on` says false, the task is then not begun any more;
+  /// NodeEnds if stop() came first.
+  void run(std::function<void()> task, const std::function<bool()>& goes_on = {});
 
   /// From the spinning thread, when it spins no more.
   void stop();
