@@ -18,9 +18,12 @@ bool whileRosRuns(const cable_variation::Progress& /*progress*/) { return ros::o
 CableSolver::CableSolver(ros::NodeHandle node, const CableSolverParameters& parameters)
     : node_(std::move(node)),
       context_(loadScene(parameters.scene)),
+      measured_(context_),
       spinning_(*ros::getGlobalCallbackQueue()),
       interference_(node_),
       publisher_(node_, interference_),
+      live_publisher_(node_, parameters.live_topics),
+      events_(node_),
       variation_(node_),
       envelope_(node_, interference_),
       diagnostics_(node_, context_),
@@ -46,20 +49,38 @@ CableSolver::CableSolver(ros::NodeHandle node, const CableSolverParameters& para
       simulate_variation_action_(node_, kSimulateVariationAction, simulations_) {
   logWarnings(context_.design().scene);
   context_.onChange([this] { show(); });
+  context_.onConfirm([this] { showAgain(); });
   show();
   if (parameters.live) {
-    follower_ = std::make_unique<TfFollower>(node_, context_, parameters.live_rate_hz);
+    const TfFollowerOptions options{parameters.live_rate_hz, parameters.tf_timeout};
+    follower_ = std::make_unique<TfFollower>(
+        node_, context_, options,
+        [this](const std::vector<cable_variation::CableEvent>& events) { events_.publish(events); });
+    diagnostics_.watchTf([this] { return follower_->late(); });
   }
 }
 
 CableSolver::~CableSolver() { spinning_.stop(); }  // runs that wait for it end
 
+void CableSolver::showAgain() {
+  constexpr double kOften = 0.1;  // [s]
+  const ros::WallTime now = ros::WallTime::now();
+  if (now - shown_ < ros::WallDuration(kOften)) return;
+  shown_ = now;
+  live_publisher_.publish(context_, measured_.values());
+}
+
 void CableSolver::show() {
+  shown_ = ros::WallTime::now();
   const cable_variation::Equilibrium& equilibrium = context_.equilibrium();
   if (!equilibrium.converged()) {
     ROS_ERROR_THROTTLE(5.0, "%s: %s", toString(equilibrium.status), equilibrium.message.c_str());
   }
-  publisher_.publish(context_);
+  measured_.contextChanged();
+  publisher_.publish(context_, measured_.values());
+  live_publisher_.publish(context_, measured_.values());
+  clip_frames_.publish(context_);
+  events_.publish(shape_watch_.eventsOf(context_, measured_.values()));
   variation_.contextChanged();
   envelope_.contextChanged(context_);
   check_forbidden_region_.contextChanged();

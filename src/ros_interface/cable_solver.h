@@ -9,12 +9,17 @@
 #include <cable_variation/SimulateVariation.h>
 #include <cable_variation/SimulateVariationAction.h>
 
+#include <ros_interface/context/measured_shape.h>
 #include <ros_interface/context/solver_context.h>
 #include <ros_interface/context/solver_diagnostics.h>
+#include <ros_interface/display/clip_frames.h>
 #include <ros_interface/display/envelope_publisher.h>
 #include <ros_interface/display/interference_publisher.h>
+#include <ros_interface/display/live_publisher.h>
 #include <ros_interface/display/solver_publisher.h>
 #include <ros_interface/display/variation_publisher.h>
+#include <ros_interface/live/event_publisher.h>
+#include <ros_interface/live/shape_watch.h>
 #include <ros_interface/live/tf_follower.h>
 #include <ros_interface/node/node_parameters.h>
 #include <ros_interface/node/own_thread_service.h>
@@ -45,13 +50,19 @@ class CableSolver {
 
  private:
   void show();
+  void showAgain();  ///< the figures, with a newer stamp
 
   ros::NodeHandle node_;
   SolverContext context_;
+  MeasuredShape measured_;
   SpinningThread spinning_;
   NameRegistry names_;
   InterferencePublisher interference_;
   SolverPublisher publisher_;
+  LivePublisher live_publisher_;
+  ClipFrames clip_frames_;
+  ShapeWatch shape_watch_;
+  EventPublisher events_;
   VariationPublisher variation_;
   EnvelopePublisher envelope_;
   SolverDiagnostics diagnostics_;
@@ -68,6 +79,7 @@ class CableSolver {
   RequestRunner<SimulationRun> simulations_;
   OwnThreadService<cable_variation::SimulateVariation> simulate_variation_;
   RunActionServer<cable_variation::SimulateVariationAction, SimulationRun> simulate_variation_action_;
+  ros::WallTime shown_;  ///< last
   std::unique_ptr<TfFollower> follower_;
 };
 

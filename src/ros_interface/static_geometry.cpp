@@ -13,7 +13,7 @@ StaticGeometry::StaticGeometry(ros::NodeHandle node, const StaticGeometryParamet
   std::set<std::string> fixed;
   const ros::Time now = ros::Time::now();
   std::vector<geometry_msgs::TransformStamped> transforms = {
-      toTransform(cable_variation::Pose(), kWorldFrame, "scene", now)};
+      toTransform(cable_variation::Pose(), kWorldFrame, kSceneFrame, now)};
   for (const cable_variation::Component& component : scene_.components) {
     if (moving.count(component.name) != 0) continue;
     fixed.insert(component.name);

@@ -121,5 +121,18 @@ TEST(MessageConversion, AShapeThatIsNoEquilibriumIsNotTold) {
   EXPECT_TRUE(toCableShapes(equilibrium, bowHarness(), ros::Time()).cables.empty());
 }
 
+TEST(MessageConversion, AWrenchIsInTheAxesOfItsClipAndAboutItsOrigin) {
+  cable_variation::Reaction reaction;
+  reaction.force = {1.0, 2.0, 3.0};
+  reaction.moment = {0.1, 0.2, 0.3};
+  reaction.section.position = {0.4, 0.0, 0.0};  // the section has gone 0.4 m along the clip's y
+  Pose clip;
+  clip.orientation = Eigen::AngleAxisd(-M_PI / 2, Eigen::Vector3d::UnitZ());
+  const geometry_msgs::Wrench wrench = toWrench(reaction, clip);
+  EXPECT_TRUE(fromVector(wrench.force).isApprox(Eigen::Vector3d(-2.0, 1.0, 3.0)));
+  // about the origin: (0.1, 0.2, 0.3) + (0.4, 0, 0) x (1, 2, 3) = (0.1, -1.0, 1.1), in the clip's axes
+  EXPECT_TRUE(fromVector(wrench.torque).isApprox(Eigen::Vector3d(1.0, 0.1, 1.1)));
+}
+
 }  // namespace
 }  // namespace cable_variation_ros

@@ -47,7 +47,9 @@ void SolverContext::take(EquilibriumSolver solver, Design design, Harness harnes
   design_ = std::move(design);
   harness_ = std::move(harness);
   equilibrium_ = std::move(equilibrium);
+  jump_.reset();
   ++design_number_;
+  if (moved_.empty()) stamp_ = ros::Time::now();
   notify();
 }
 
@@ -79,13 +81,29 @@ void SolverContext::adopt(Design design) {
   take(std::move(solver), std::move(design), std::move(harness), std::move(equilibrium));
 }
 
-void SolverContext::move(const ComponentPoses& moved) {
+void SolverContext::move(const ComponentPoses& moved, const ros::Time& stamp) {
   Harness harness = harnessAt(design_, {}, moved);
+  EquilibriumSolver solver = solver_;  // without an equilibrium there, the last one is still where to go on
+  cable_variation::FollowedClips followed;
+  if (equilibrium_.converged()) {
+    followed = followClips(solver, harness_, equilibrium_, harness);
+    if (!followed.equilibrium.converged()) last_shape_ = std::move(equilibrium_);
+  } else {
+    followed.equilibrium = solver.update(harness);
+  }
+  if (followed.equilibrium.converged()) solver_ = std::move(solver);
   moved_ = moved;
+  stamp_ = stamp;
   harness_ = std::move(harness);
-  equilibrium_ = solver_.update(harness_);
-  if (!equilibrium_.converged()) equilibrium_ = solver_.solve(harness_);
+  equilibrium_ = std::move(followed.equilibrium);
+  jump_ = followed.jump;
   notify();
+}
+
+void SolverContext::confirm(const ros::Time& stamp) {
+  if (stamp == stamp_) return;
+  stamp_ = stamp;
+  if (confirmed_) confirmed_();
 }
 
 SolverContext::Snapshot SolverContext::snapshot() const {
@@ -96,10 +114,20 @@ cable_variation::ComponentParts SolverContext::parts() const {
   return evaluator_ ? evaluator_->parts() : cable_variation::ComponentParts();
 }
 
+ComponentPoses SolverContext::components() const {
+  return componentPosesAt(design_.scene, design_.shifted, moved_);
+}
+
 MeasureEvaluator SolverContext::evaluator(const Snapshot& snapshot) const {
-  const ComponentPoses components = componentPosesAt(design_.scene, design_.shifted, moved_);
-  const SolvedScene any{harness_, equilibrium_, components};
+  const ComponentPoses here = components();
+  const SolvedScene any{harness_, equilibrium_, here};
   return preparedEvaluator(any).with(snapshot.design.scene, any);
+}
+
+MeasureEvaluator SolverContext::evaluatorInForce() const {
+  const ComponentPoses here = components();
+  const SolvedScene in_force{harness_, equilibrium_, here};
+  return preparedEvaluator(in_force).with(design_.scene, in_force);
 }
 
 SolverContext::Trial SolverContext::solve(const DesignValues& values, const ComponentPoses& moved,
@@ -124,9 +152,7 @@ std::vector<MeasureValue> SolverContext::measure(const SolvedScene& at,
                                                  const std::vector<std::size_t>& measures) const {
   if (equilibrium_.converged()) {
     if (!evaluator_in_force_) {
-      const ComponentPoses components = componentPosesAt(design_.scene, design_.shifted, moved_);
-      const SolvedScene nominal{harness_, equilibrium_, components};
-      evaluator_ = preparedEvaluator(nominal).with(design_.scene, nominal);
+      evaluator_ = evaluatorInForce();
       evaluator_in_force_ = true;
     }
     return evaluator_->evaluate(at, measures);
@@ -144,11 +170,6 @@ std::vector<MeasureValue> SolverContext::measure(const SolvedScene& at,
 std::vector<MeasureValue> SolverContext::measure(const Trial& trial,
                                                  const std::vector<std::size_t>& measures) const {
   return measure(SolvedScene{trial.harness, trial.equilibrium, trial.components}, measures);
-}
-
-std::vector<MeasureValue> SolverContext::measure(const std::vector<std::size_t>& measures) const {
-  const ComponentPoses components = componentPosesAt(design_.scene, design_.shifted, moved_);
-  return measure(SolvedScene{harness_, equilibrium_, components}, measures);
 }
 
 StabilityAnalysis SolverContext::analyse(StabilityOptions& options) const {

@@ -4,10 +4,13 @@
 #include <optional>
 #include <string>
 
+#include <ros/time.h>
+
 #include <cable_variation/equilibrium/equilibrium.h>
 #include <cable_variation/scene/design.h>
 #include <cable_variation/sensitivity/stability_analysis.h>
 #include <cable_variation/tolerances/varied_design.h>
+#include <cable_variation/tracking/clip_follower.h>
 
 namespace cable_variation_ros {
 
@@ -21,7 +24,19 @@ class SolverContext {
   const cable_variation::Scene& loaded() const { return loaded_; }      ///< the scene without any edit
   const cable_variation::Harness& harness() const { return harness_; }  ///< in force
   const cable_variation::Equilibrium& equilibrium() const { return equilibrium_; }
+  /// The shape in force, or while there is none the last one of the design in force; not converged: never
+  /// any.
+  const cable_variation::Equilibrium& lastShape() const {
+    return equilibrium_.converged() ? equilibrium_ : last_shape_;
+  }
+  /// That the last change made, if it was one of the components' places.
+  const std::optional<cable_variation::ShapeJump>& lastJump() const { return jump_; }
   const cable_variation::ComponentPoses& moved() const { return moved_; }
+
+  /// Of all components in the world, the deviations of the design included.
+  cable_variation::ComponentPoses components() const;
+  /// The newest tf that the components' places come from; without any, when the shape was solved.
+  const ros::Time& stamp() const { return stamp_; }
 
   /// Another number, another scene or design; moving components does not change it.
   std::size_t designNumber() const { return design_number_; }
@@ -40,6 +55,8 @@ class SolverContext {
   /// For work on another thread with a snapshot of this context, which must outlive it. Its nominal shape is
   /// any.
   cable_variation::MeasureEvaluator evaluator(const Snapshot& snapshot) const;
+  /// Of the design in force; its nominal shape is the one in force, which must have converged.
+  cable_variation::MeasureEvaluator evaluatorInForce() const;
 
   /// Called whenever the harness or its shape has changed.
   void onChange(std::function<void()> callback) { changed_ = std::move(callback); }
@@ -55,7 +72,13 @@ class SolverContext {
   void adopt(cable_variation::Design design);
 
   /// Components have moved: the shape follows. Whether it could, equilibrium() tells.
-  void move(const cable_variation::ComponentPoses& moved);
+  /// @param stamp of the newest tf that tells so
+  void move(const cable_variation::ComponentPoses& moved, const ros::Time& stamp);
+
+  /// Components are where they were, as newer tf tells: the stamp alone changes.
+  void confirm(const ros::Time& stamp);
+  /// Called then.
+  void onConfirm(std::function<void()> callback) { confirmed_ = std::move(callback); }
 
   /// An equilibrium beside the one in force.
   struct Trial {
@@ -72,9 +95,6 @@ class SolverContext {
   /// note says so.
   std::vector<cable_variation::MeasureValue> measure(const Trial& trial,
                                                      const std::vector<std::size_t>& measures) const;
-  /// Of the shape in force, which must have converged.
-  std::vector<cable_variation::MeasureValue> measure(const std::vector<std::size_t>& measures) const;
-
   /// Of the design in force with `options.values`, to which the shape is followed
   /// where it can be. Completes options.values with what is in force, and options.moved.
   /// Throws as requireConverged() if there is none.
@@ -98,8 +118,11 @@ class SolverContext {
   cable_variation::Harness harness_;
   cable_variation::EquilibriumSolver solver_;
   cable_variation::Equilibrium equilibrium_;
+  cable_variation::Equilibrium last_shape_;
+  std::optional<cable_variation::ShapeJump> jump_;
+  ros::Time stamp_ = ros::Time::now();
   std::size_t design_number_ = 0;
-  std::function<void()> changed_;
+  std::function<void()> changed_, confirmed_;
   // Preparing the components' geometry takes tens of milliseconds: done when first needed, kept for a scene.
   mutable std::optional<cable_variation::MeasureEvaluator> evaluator_;
   mutable bool evaluator_in_force_ = false;  ///< its nominal shape is the one in force

@@ -17,6 +17,19 @@ SolverDiagnostics::SolverDiagnostics(ros::NodeHandle& node, const SolverContext&
                                 [this](const ros::WallTimerEvent&) { updater_.force_update(); });
 }
 
+void SolverDiagnostics::watchTf(std::function<std::vector<std::string>()> late) {
+  updater_.add("tf", [late](diagnostic_updater::DiagnosticStatusWrapper& status) {
+    const std::vector<std::string> texts = late();
+    if (texts.empty()) {
+      status.summary(diagnostic_msgs::DiagnosticStatus::OK, "what is on it comes in time");
+    } else {
+      status.summary(diagnostic_msgs::DiagnosticStatus::WARN,
+                     texts.front() + (texts.size() > 1 ? " (and others)" : ""));
+    }
+    for (std::size_t i = 0; i < texts.size(); ++i) status.add("late " + std::to_string(i + 1), texts[i]);
+  });
+}
+
 void SolverDiagnostics::contextChanged() {
   const bool converged = context_.equilibrium().converged();
   if (converged == converged_) return;

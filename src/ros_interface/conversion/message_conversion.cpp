@@ -127,9 +127,10 @@ CableShapes toCableShapes(const Equilibrium& equilibrium, const Harness& harness
   return shapes;
 }
 
-cable_variation::SolveEquilibriumResponse toResponse(const Equilibrium& equilibrium, const Harness& harness) {
-  cable_variation::SolveEquilibriumResponse response;
-  response.shapes = toCableShapes(equilibrium, harness, ros::Time()).cables;
+std::vector<cable_variation::ClipReaction> toClipReactions(const Equilibrium& equilibrium,
+                                                           const Harness& harness) {
+  std::vector<cable_variation::ClipReaction> messages;
+  if (!equilibrium.converged()) return messages;
   for (std::size_t i = 0; i < equilibrium.clip_reactions.size(); ++i) {
     const cable_variation::Reaction& reaction = equilibrium.clip_reactions[i];
     cable_variation::ClipReaction message;
@@ -139,8 +140,24 @@ cable_variation::SolveEquilibriumResponse toResponse(const Equilibrium& equilibr
     message.moment = toVector(reaction.moment);
     message.arc_length = reaction.arc_length;
     message.section = toPose(reaction.section);
-    response.clip_reactions.push_back(message);
+    messages.push_back(message);
   }
+  return messages;
+}
+
+geometry_msgs::Wrench toWrench(const cable_variation::Reaction& reaction, const Pose& clip) {
+  const Eigen::Vector3d arm = reaction.section.position - clip.position;
+  const Eigen::Quaterniond into_clip = clip.orientation.conjugate();
+  geometry_msgs::Wrench wrench;
+  wrench.force = toVector(into_clip * reaction.force);
+  wrench.torque = toVector(into_clip * (reaction.moment + arm.cross(reaction.force)));
+  return wrench;
+}
+
+cable_variation::SolveEquilibriumResponse toResponse(const Equilibrium& equilibrium, const Harness& harness) {
+  cable_variation::SolveEquilibriumResponse response;
+  response.shapes = toCableShapes(equilibrium, harness, ros::Time()).cables;
+  response.clip_reactions = toClipReactions(equilibrium, harness);
   for (const cable_variation::Reaction& reaction : equilibrium.joint_reactions) {
     cable_variation::JointReaction message;
     message.joint = reaction.name;

@@ -1,14 +1,17 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <geometry_msgs/Point.h>
 #include <geometry_msgs/Pose.h>
 #include <geometry_msgs/TransformStamped.h>
 #include <geometry_msgs/Vector3.h>
+#include <geometry_msgs/Wrench.h>
 
 #include <cable_variation/CableShapes.h>
 #include <cable_variation/CableState.h>
+#include <cable_variation/ClipReaction.h>
 #include <cable_variation/SolveEquilibrium.h>
 
 #include <cable_variation/equilibrium/equilibrium.h>
@@ -36,6 +39,13 @@ cable_variation::CableState toCableState(const cable_variation::CableShape& shap
 /// Every shape of a converged equilibrium of `harness`; empty otherwise.
 cable_variation::CableShapes toCableShapes(const cable_variation::Equilibrium& equilibrium,
                                            const cable_variation::Harness& harness, const ros::Time& stamp);
+
+/// What the clips of a converged equilibrium of `harness` do; empty otherwise.
+std::vector<cable_variation::ClipReaction> toClipReactions(const cable_variation::Equilibrium& equilibrium,
+                                                           const cable_variation::Harness& harness);
+
+/// A reaction in the axes of its clip's frame, its moment about that frame's origin.
+geometry_msgs::Wrench toWrench(const cable_variation::Reaction& reaction, const cable_variation::Pose& clip);
 
 /// Everything but the status, of a converged equilibrium of `harness`.
 cable_variation::SolveEquilibriumResponse toResponse(const cable_variation::Equilibrium& equilibrium,

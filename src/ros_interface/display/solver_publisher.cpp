@@ -1,8 +1,9 @@
 #include <ros_interface/display/solver_publisher.h>
 
+#include <numeric>
+
 #include <ros/node_handle.h>
 
-#include <cable_variation/scene/measure_traits.h>
 #include <ros_interface/context/solver_context.h>
 #include <ros_interface/conversion/component_deviations.h>
 #include <ros_interface/conversion/message_conversion.h>
@@ -17,15 +18,10 @@ using cable_variation::ComponentDeviations;
 
 namespace {
 
-std::vector<DistanceMark> distancesOf(const SolverContext& context) {
-  if (!context.equilibrium().converged()) return {};
-  const cable_variation::Scene& scene = context.design().scene;
-  std::vector<std::size_t> distances;
-  for (std::size_t i = 0; i < scene.measures.size(); ++i) {
-    if (traitsOf(scene.measures[i].type).clearance) distances.push_back(i);
-  }
-  if (distances.empty()) return {};
-  return distanceMarks(scene, distances, context.measure(distances));
+std::vector<std::size_t> firstNumbers(std::size_t count) {
+  std::vector<std::size_t> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+  return numbers;
 }
 
 }  // namespace
@@ -38,15 +34,18 @@ SolverPublisher::SolverPublisher(ros::NodeHandle& node, InterferencePublisher& i
   deviations_.publish(deviations_shown_);
 }
 
-void SolverPublisher::publish(const SolverContext& context) {
-  visualization_msgs::MarkerArray markers = cableMarkers(context.equilibrium(), context.harness());
+void SolverPublisher::publish(const SolverContext& context,
+                              const std::vector<cable_variation::MeasureValue>& measured) {
+  const bool outdated = !context.equilibrium().converged();
+  visualization_msgs::MarkerArray markers = cableMarkers(context.lastShape(), context.harness(), outdated);
   const visualization_msgs::MarkerArray clips = clipMarkers(context.equilibrium(), context.harness());
   markers.markers.insert(markers.markers.end(), clips.markers.begin(), clips.markers.end());
   cables_.publish(markers);
-  interference_.showMeasures(distancesOf(context), clips);
-  shapes_.publish(toCableShapes(context.equilibrium(), context.harness(), ros::Time::now()));
+  const cable_variation::Scene& scene = context.design().scene;
+  interference_.showMeasures(distanceMarks(scene, firstNumbers(measured.size()), measured), clips);
+  shapes_.publish(toCableShapes(context.equilibrium(), context.harness(), context.stamp()));
   const ComponentDeviations deviations =
-      toMessage(componentDeviations(context.design().scene, context.design().shifted, context.moved()));
+      toMessage(componentDeviations(scene, context.design().shifted, context.moved()));
   if (deviations == deviations_shown_) return;
   deviations_.publish(deviations);
   deviations_shown_ = deviations;

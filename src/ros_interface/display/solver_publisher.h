@@ -1,9 +1,12 @@
 #pragma once
 
+#include <vector>
+
 #include <ros/publisher.h>
 
 #include <cable_variation/ComponentDeviations.h>
 
+#include <cable_variation/measures/measure_evaluation.h>
 #include <ros_interface/display/marker_channel.h>
 
 namespace ros {
@@ -17,11 +20,13 @@ class SolverContext;
 class InterferencePublisher;
 
 /// Shows the design in force: ~cables (markers of cables and clips), ~shapes,
-/// ~component_deviations and, as ~interference, what distances were measured.
+/// ~component_deviations and, as ~interference, what distances were measured. While there is no equilibrium
+/// the last shape stays on ~cables, greyed.
 class SolverPublisher {
  public:
   SolverPublisher(ros::NodeHandle& node, InterferencePublisher& interference);
-  void publish(const SolverContext& context);
+  /// @param measured all measures of the scene; none without an equilibrium
+  void publish(const SolverContext& context, const std::vector<cable_variation::MeasureValue>& measured);
 
  private:
   MarkerChannel cables_;

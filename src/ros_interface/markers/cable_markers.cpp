@@ -68,11 +68,12 @@ void addCable(MarkerGroup& group, const CableShape& shape, const Cable& cable, c
 }
 
 visualization_msgs::MarkerArray cableMarkers(const cable_variation::Equilibrium& equilibrium,
-                                             const cable_variation::Harness& harness) {
+                                             const cable_variation::Harness& harness, bool outdated) {
   visualization_msgs::MarkerArray array;
   if (!equilibrium.converged()) return array;
   for (std::size_t i = 0; i < equilibrium.shapes.size(); ++i) {
-    MarkerGroup group(kCableMarkers + harness.cables[i].name, kWorldFrame, cableColour(i));
+    MarkerGroup group(kCableMarkers + harness.cables[i].name, kWorldFrame,
+                      outdated ? kOutdatedGrey : cableColour(i));
     addCable(group, equilibrium.shapes[i], harness.cables[i], {});
     array.markers.insert(array.markers.end(), group.markers().begin(), group.markers().end());
   }

@@ -25,7 +25,8 @@ void addCable(MarkerGroup& group, const cable_variation::CableShape& shape,
 
 /// Cables with their true thickness, namespace cable/NAME; nothing unless the
 /// equilibrium converged.
+/// @param outdated grey: the cables were like that once, and there is no equilibrium now
 visualization_msgs::MarkerArray cableMarkers(const cable_variation::Equilibrium& equilibrium,
-                                             const cable_variation::Harness& harness);
+                                             const cable_variation::Harness& harness, bool outdated = false);
 
 }  // namespace cable_variation_ros

@@ -4,6 +4,8 @@ namespace cable_variation_ros {
 
 /// The frame every scene hangs in.
 constexpr char kWorldFrame[] = "world";
+/// The same place, so that the world is on tf even where nothing else is.
+constexpr char kSceneFrame[] = "scene";
 
 // Topics and services, relative to a node's private namespace.
 constexpr char kComponentsTopic[] = "components";
@@ -15,6 +17,11 @@ constexpr char kLegendTopic[] = "legend";
 constexpr char kInterferenceTopic[] = "interference";
 constexpr char kEnvelopeTopic[] = "envelope";
 constexpr char kEnvelopeMeshTopic[] = "envelope_mesh";
+constexpr char kMeasuresTopic[] = "measures";
+constexpr char kReactionsTopic[] = "reactions";
+constexpr char kReactionTopics[] = "reaction/";  // followed by a clip's name
+constexpr char kLiveTopics[] = "live/";          // followed by a measure's name
+constexpr char kEventsTopic[] = "events";
 constexpr char kPlayService[] = "play";
 constexpr char kSeekService[] = "seek";
 constexpr char kSolveEquilibriumService[] = "solve_equilibrium";

@@ -71,8 +71,9 @@ class ParameterReader {
 
 constexpr double kHighestRate = 1000.0;  // [Hz]; beyond what ROS timers and tf keep up with
 constexpr double kHighestSpeed = 1e4;
-constexpr double kMostMemory = 1e15;  // [B]
-constexpr int kMostThreads = 1024;    // more than any machine has cores for them
+constexpr double kLongestTimeout = 1e9;  // [s]
+constexpr double kMostMemory = 1e15;     // [B]
+constexpr int kMostThreads = 1024;       // more than any machine has cores for them
 
 /// A node's parameters: `scene`, which every node has, and what `others` reads.
 template <typename Parameters, typename Others>
@@ -105,6 +106,8 @@ CableSolverParameters readCableSolverParameters(const ros::NodeHandle& node) {
       node, [](ParameterReader& reader, CableSolverParameters& parameters) {
         reader.optional("live", parameters.live);
         reader.optionalPositive("live_rate", parameters.live_rate_hz, kHighestRate);
+        reader.optionalPositive("tf_timeout", parameters.tf_timeout, kLongestTimeout);
+        reader.optional("live_topics", parameters.live_topics);
         reader.optionalCount("threads", parameters.threads, kMostThreads);
         reader.optionalPositive("memory_limit", parameters.memory_limit, kMostMemory);
         reader.optional("output_directory", parameters.output_directory);

@@ -23,10 +23,12 @@ struct MovingGeometryParameters {
 
 struct CableSolverParameters {
   std::string scene;
-  bool live = false;           ///< follow the components on tf
-  double live_rate_hz = 50.0;  ///< how often to look
-  std::size_t threads = 0;     ///< for envelopes; 0: as many as there are cores
-  double memory_limit = 2e9;   ///< for one envelope or simulation [B]
+  bool live = false;            ///< follow the components on tf
+  double live_rate_hz = 200.0;  ///< how often to follow, at most
+  double tf_timeout = 1.0;      ///< how old tf may be before it is told [s]
+  bool live_topics = false;     ///< a topic for each measure too
+  std::size_t threads = 0;      ///< for envelopes; 0: as many as there are cores
+  double memory_limit = 2e9;    ///< for one envelope or simulation [B]
   /// Where files are written; made when there is something to write.
   std::string output_directory = defaultOutputDirectory();
 };
