@@ -26,6 +26,7 @@ CableSolver::CableSolver(ros::NodeHandle node, const CableSolverParameters& para
       events_(node_),
       variation_(node_),
       envelope_(node_, interference_),
+      design_state_(node_),
       diagnostics_(node_, context_),
       solve_equilibrium_(node_, context_),
       analyze_stability_(node_, context_, variation_, OutputDirectory(parameters.output_directory), names_),
@@ -51,6 +52,9 @@ CableSolver::CableSolver(ros::NodeHandle node, const CableSolverParameters& para
   context_.onChange([this] { show(); });
   context_.onConfirm([this] { showAgain(); });
   show();
+  ROS_INFO("cable_solver is up with %s: %zu cables, %zu clips, %s", context_.design().scene.source.c_str(),
+           context_.harness().cables.size(), context_.harness().clips.size(),
+           context_.equilibrium().converged() ? "in equilibrium" : "without an equilibrium");
   if (parameters.live) {
     const TfFollowerOptions options{parameters.live_rate_hz, parameters.tf_timeout};
     follower_ = std::make_unique<TfFollower>(
@@ -76,6 +80,7 @@ void CableSolver::show() {
   if (!equilibrium.converged()) {
     ROS_ERROR_THROTTLE(5.0, "%s: %s", toString(equilibrium.status), equilibrium.message.c_str());
   }
+  design_state_.contextChanged(context_);
   measured_.contextChanged();
   publisher_.publish(context_, measured_.values());
   live_publisher_.publish(context_, measured_.values());

@@ -13,6 +13,7 @@
 #include <ros_interface/context/solver_context.h>
 #include <ros_interface/context/solver_diagnostics.h>
 #include <ros_interface/display/clip_frames.h>
+#include <ros_interface/display/design_publisher.h>
 #include <ros_interface/display/envelope_publisher.h>
 #include <ros_interface/display/interference_publisher.h>
 #include <ros_interface/display/live_publisher.h>
@@ -65,6 +66,7 @@ class CableSolver {
   EventPublisher events_;
   VariationPublisher variation_;
   EnvelopePublisher envelope_;
+  DesignPublisher design_state_;
   SolverDiagnostics diagnostics_;
   SolveEquilibriumService solve_equilibrium_;
   AnalyzeStabilityService analyze_stability_;

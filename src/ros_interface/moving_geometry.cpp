@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <map>
 #include <stdexcept>
+#include <utility>
+
+#include <ros/console.h>
 
 #include <cable_variation/scene/moving_components.h>
 #include <ros_interface/conversion/message_conversion.h>
@@ -17,6 +20,8 @@ using cable_variation::Motion;
 using cable_variation::Scene;
 
 namespace {
+
+const ros::WallDuration kStatePause(0.05);  // between two messages of the state
 
 Scene loadMotions(const std::string& address) {
   Scene scene = loadScene(address);
@@ -45,50 +50,91 @@ const Component& componentOf(const Scene& scene, const Motion& motion) {
 }  // namespace
 
 MovingGeometry::MovingGeometry(ros::NodeHandle node, const MovingGeometryParameters& parameters)
-    : scene_(loadMotions(parameters.scene)),
-      player_(longest(scene_), parameters.speed, parameters.loop),
-      components_(node, scene_, movingComponents(scene_)),
+    : parameters_(parameters),
+      components_(node),
+      state_(node.advertise<cable_variation::MotionState>(kMotionStateTopic, 1, true)),
       play_server_(node.advertiseService(kPlayService, &MovingGeometry::play, this)),
-      seek_server_(node.advertiseService(kSeekService, &MovingGeometry::seek, this)) {
-  std::set<std::string> riding = movingComponents(scene_);
-  for (const Motion& motion : scene_.motions) riding.erase(motion.component);
+      seek_server_(node.advertiseService(kSeekService, &MovingGeometry::seek, this)),
+      follower_(node, parameters.scene, [this](const std::string& address) { load(address); }) {
+  if (parameters.scene.empty()) {
+    take(Scene());
+    ROS_INFO("moving_geometry_node is up, waiting for a scene on %s", node.resolveName(kDesignTopic).c_str());
+  } else {
+    load(parameters.scene);
+  }
+  timer_ = node.createTimer(ros::Duration(1.0 / parameters.rate_hz), &MovingGeometry::tick, this);
+}
+
+void MovingGeometry::load(const std::string& address) {
+  take(loadMotions(address));
+  ROS_INFO("moving_geometry_node plays %zu motions of %s", scene_->motions.size(), scene_->source.c_str());
+}
+
+void MovingGeometry::take(Scene scene) {
+  scene_ = std::make_shared<const Scene>(std::move(scene));
+  player_ = std::make_unique<MotionPlayer>(longest(*scene_), parameters_.speed, parameters_.loop);
+  player_->play(!halted_before_);
+  halted_before_ = false;
+  const std::set<std::string> moving = movingComponents(*scene_);
+  std::set<std::string> riding = moving;
+  for (const Motion& motion : scene_->motions) riding.erase(motion.component);
   std::vector<geometry_msgs::TransformStamped> transforms;
-  for (const Component& component : scene_.components) {
+  for (const Component& component : scene_->components) {
     if (riding.count(component.name) == 0) continue;
     transforms.push_back(toTransform(component.pose, component.parent, component.name, ros::Time::now()));
   }
-  if (!transforms.empty()) static_broadcaster_.sendTransform(transforms);
-  timer_ = node.createTimer(ros::Duration(1.0 / parameters.rate_hz), &MovingGeometry::tick, this);
+  static_broadcaster_.reset();  // it would go on telling of the frames of the scene before
+  if (!transforms.empty()) {
+    static_broadcaster_ = std::make_unique<tf2_ros::StaticTransformBroadcaster>();
+    static_broadcaster_->sendTransform(transforms);
+  }
+  components_.show(scene_, moving);
+  told_at_ = ros::WallTime();
+  publishState();
 }
 
 void MovingGeometry::tick(const ros::TimerEvent&) {
   const ros::Time now = ros::Time::now();
-  if (!last_.isZero()) player_.advance((now - last_).toSec());
+  if (!last_.isZero()) player_->advance((now - last_).toSec());
   last_ = now;
   sendTransforms();
+  publishState();
 }
 
 void MovingGeometry::sendTransforms() {
   std::vector<geometry_msgs::TransformStamped> transforms;
-  for (const Motion& motion : scene_.motions) {
-    transforms.push_back(toTransform(poseAt(motion, player_.time()), componentOf(scene_, motion).parent,
+  for (const Motion& motion : scene_->motions) {
+    transforms.push_back(toTransform(poseAt(motion, player_->time()), componentOf(*scene_, motion).parent,
                                      motion.component, last_));
   }
   broadcaster_.sendTransform(transforms);
 }
 
+void MovingGeometry::publishState() {
+  const ros::WallTime now = ros::WallTime::now();
+  if (now - told_at_ < kStatePause) return;
+  cable_variation::MotionState state;
+  state.duration = longest(*scene_);
+  state.time = player_->time();
+  state.playing = state.duration > 0.0 && player_->playing();
+  if (!told_at_.isZero() && state.time == told_.time && state.playing == told_.playing) return;
+  state_.publish(state);
+  told_ = state;
+  told_at_ = now;
+}
+
 bool MovingGeometry::play(std_srvs::SetBoolRequest& request, std_srvs::SetBoolResponse& response) {
-  response.success = !scene_.motions.empty();
-  if (response.success) {
-    player_.play(request.data);
-  } else {
-    response.message = "scene '" + scene_.source + "' has no motions";
+  player_->play(request.data);
+  halted_before_ = scene_->source.empty() && !request.data;
+  response.success = !scene_->motions.empty();
+  if (!response.success) {
+    response.message = "scene '" + scene_->source + "' has no motions";
   }
   return true;
 }
 
 bool MovingGeometry::seek(cable_variation::SeekRequest& request, cable_variation::SeekResponse& response) {
-  response.status = runRequest([&] { player_.seek(request.time); });
+  response.status = runRequest([&] { player_->seek(request.time); });
   return true;
 }
 

@@ -41,7 +41,8 @@ void SolverContext::notify() {
   if (changed_) changed_();
 }
 
-void SolverContext::take(EquilibriumSolver solver, Design design, Harness harness, Equilibrium equilibrium) {
+void SolverContext::take(EquilibriumSolver solver, Design design, Harness harness, Equilibrium equilibrium,
+                         bool edited) {
   requireConverged(equilibrium);
   solver_ = std::move(solver);
   design_ = std::move(design);
@@ -50,6 +51,7 @@ void SolverContext::take(EquilibriumSolver solver, Design design, Harness harnes
   jump_.reset();
   ++design_number_;
   if (moved_.empty()) stamp_ = ros::Time::now();
+  edited_ = edited;
   notify();
 }
 
@@ -62,7 +64,8 @@ void SolverContext::load(Scene scene) {
   loaded_ = design.scene;
   moved_.clear();
   evaluator_.reset();
-  take(std::move(solver), std::move(design), std::move(harness), std::move(equilibrium));
+  ++loads_;
+  take(std::move(solver), std::move(design), std::move(harness), std::move(equilibrium), false);
 }
 
 void SolverContext::reset() {
@@ -70,7 +73,7 @@ void SolverContext::reset() {
   Harness harness = harnessAt(design, {}, moved_);
   EquilibriumSolver solver = newSolver(loaded_);
   Equilibrium equilibrium = solver.solve(harness);
-  take(std::move(solver), std::move(design), std::move(harness), std::move(equilibrium));
+  take(std::move(solver), std::move(design), std::move(harness), std::move(equilibrium), false);
 }
 
 void SolverContext::adopt(Design design) {
@@ -78,7 +81,7 @@ void SolverContext::adopt(Design design) {
   EquilibriumSolver solver = solver_;
   Equilibrium equilibrium = solver.update(harness);
   if (!equilibrium.converged()) equilibrium = solver.solve(harness);
-  take(std::move(solver), std::move(design), std::move(harness), std::move(equilibrium));
+  take(std::move(solver), std::move(design), std::move(harness), std::move(equilibrium), true);
 }
 
 void SolverContext::move(const ComponentPoses& moved, const ros::Time& stamp) {

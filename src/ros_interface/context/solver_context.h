@@ -37,6 +37,10 @@ class SolverContext {
   cable_variation::ComponentPoses components() const;
   /// The newest tf that the components' places come from; without any, when the shape was solved.
   const ros::Time& stamp() const { return stamp_; }
+  /// Scenes loaded in place of the first one.
+  std::size_t loads() const { return loads_; }
+  /// Whether anything was edited since the scene was loaded or reset.
+  bool edited() const { return edited_; }
 
   /// Another number, another scene or design; moving components does not change it.
   std::size_t designNumber() const { return design_number_; }
@@ -106,7 +110,7 @@ class SolverContext {
  private:
   cable_variation::EquilibriumSolver newSolver(const cable_variation::Scene& scene) const;
   void take(cable_variation::EquilibriumSolver solver, cable_variation::Design design,
-            cable_variation::Harness harness, cable_variation::Equilibrium equilibrium);
+            cable_variation::Harness harness, cable_variation::Equilibrium equilibrium, bool edited);
   void notify();
   const cable_variation::MeasureEvaluator& preparedEvaluator(const cable_variation::SolvedScene& any) const;
   std::vector<cable_variation::MeasureValue> measure(const cable_variation::SolvedScene& at,
@@ -126,6 +130,8 @@ class SolverContext {
   // Preparing the components' geometry takes tens of milliseconds: done when first needed, kept for a scene.
   mutable std::optional<cable_variation::MeasureEvaluator> evaluator_;
   mutable bool evaluator_in_force_ = false;  ///< its nominal shape is the one in force
+  std::size_t loads_ = 0;
+  bool edited_ = false;
 };
 
 /// A snapshot's solver at `design`, from the shape in force where that can be followed. Throws as

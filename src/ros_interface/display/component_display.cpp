@@ -11,16 +11,21 @@
 
 namespace cable_variation_ros {
 
-ComponentDisplay::ComponentDisplay(ros::NodeHandle& node, const cable_variation::Scene& scene,
-                                   std::set<std::string> which)
-    : scene_(scene), which_(std::move(which)), markers_(node, kComponentsTopic) {
-  markers_.publish(componentMarkers(scene_, which_, {}));
-  deviations_ = node.subscribe(kComponentDeviationsTopic, 1, &ComponentDisplay::deviate, this);
+ComponentDisplay::ComponentDisplay(ros::NodeHandle& node)
+    : markers_(node, kComponentsTopic),
+      deviations_(node.subscribe(kComponentDeviationsTopic, 1, &ComponentDisplay::deviate, this)) {}
+
+void ComponentDisplay::show(std::shared_ptr<const cable_variation::Scene> scene,
+                            std::set<std::string> which) {
+  scene_ = std::move(scene);
+  which_ = std::move(which);
+  markers_.publish(componentMarkers(*scene_, which_, {}));
 }
 
 void ComponentDisplay::deviate(const cable_variation::ComponentDeviations& message) {
+  if (!scene_) return;
   try {
-    markers_.publish(componentMarkers(scene_, which_, fromMessage(message)));
+    markers_.publish(componentMarkers(*scene_, which_, fromMessage(message)));
   } catch (const std::invalid_argument& error) {
     ROS_WARN_THROTTLE(5.0, "%s", error.what());
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <set>
 #include <string>
 
@@ -16,13 +17,15 @@ namespace cable_variation_ros {
 /// designed; ~component_deviations tells how they deviate from that.
 class ComponentDisplay {
  public:
-  /// Shows the components of `scene` in `which`; `scene` must outlive this.
-  ComponentDisplay(ros::NodeHandle& node, const cable_variation::Scene& scene, std::set<std::string> which);
+  explicit ComponentDisplay(ros::NodeHandle& node);
+
+  /// Shows the components of `scene` in `which`, in place of what was shown.
+  void show(std::shared_ptr<const cable_variation::Scene> scene, std::set<std::string> which);
 
  private:
   void deviate(const cable_variation::ComponentDeviations& message);
 
-  const cable_variation::Scene& scene_;
+  std::shared_ptr<const cable_variation::Scene> scene_;  ///< none before the first show()
   std::set<std::string> which_;
   MarkerChannel markers_;
   ros::Subscriber deviations_;

@@ -75,26 +75,40 @@ constexpr double kLongestTimeout = 1e9;  // [s]
 constexpr double kMostMemory = 1e15;     // [B]
 constexpr int kMostThreads = 1024;       // more than any machine has cores for them
 
-/// A node's parameters: `scene`, which every node has, and what `others` reads.
-template <typename Parameters, typename Others>
-Parameters readParameters(const ros::NodeHandle& node, const Others& others) {
+/// A node's parameters, as `read` reads them.
+template <typename Parameters, typename Read>
+Parameters readParameters(const ros::NodeHandle& node, const Read& read) {
   Parameters parameters;
   ParameterReader reader(node);
-  reader.required("scene", parameters.scene);
-  others(reader, parameters);
+  read(reader, parameters);
   reader.finish();
   return parameters;
+}
+
+/// Of a node that can do without a scene while it waits for a cable_solver's.
+template <typename Parameters>
+void readSceneOrFollow(ParameterReader& reader, Parameters& parameters) {
+  reader.optional("follow", parameters.follow);
+  if (parameters.follow) {
+    reader.optional("scene", parameters.scene);
+  } else {
+    reader.required("scene", parameters.scene);
+  }
 }
 
 }  // namespace
 
 StaticGeometryParameters readStaticGeometryParameters(const ros::NodeHandle& node) {
-  return readParameters<StaticGeometryParameters>(node, [](ParameterReader&, StaticGeometryParameters&) {});
+  return readParameters<StaticGeometryParameters>(
+      node, [](ParameterReader& reader, StaticGeometryParameters& parameters) {
+        readSceneOrFollow(reader, parameters);
+      });
 }
 
 MovingGeometryParameters readMovingGeometryParameters(const ros::NodeHandle& node) {
   return readParameters<MovingGeometryParameters>(
       node, [](ParameterReader& reader, MovingGeometryParameters& parameters) {
+        readSceneOrFollow(reader, parameters);
         reader.optionalPositive("rate", parameters.rate_hz, kHighestRate);
         reader.optional("loop", parameters.loop);
         reader.optionalPositive("speed", parameters.speed, kHighestSpeed);
@@ -104,6 +118,7 @@ MovingGeometryParameters readMovingGeometryParameters(const ros::NodeHandle& nod
 CableSolverParameters readCableSolverParameters(const ros::NodeHandle& node) {
   return readParameters<CableSolverParameters>(
       node, [](ParameterReader& reader, CableSolverParameters& parameters) {
+        reader.required("scene", parameters.scene);
         reader.optional("live", parameters.live);
         reader.optionalPositive("live_rate", parameters.live_rate_hz, kHighestRate);
         reader.optionalPositive("tf_timeout", parameters.tf_timeout, kLongestTimeout);

@@ -11,11 +11,14 @@ class NodeHandle;
 namespace cable_variation_ros {
 
 struct StaticGeometryParameters {
-  std::string scene;  ///< path or package:// address of the scene file
+  std::string
+      scene;  ///< path or package:// address of the scene file; empty, and `follow`: none to begin with
+  bool follow = false;  ///< show what a cable_solver has loaded
 };
 
 struct MovingGeometryParameters {
   std::string scene;
+  bool follow = false;
   double rate_hz = 50.0;  ///< of the transforms
   bool loop = true;       ///< start again at the end
   double speed = 1.0;     ///< seconds of motion per second
