@@ -48,6 +48,7 @@ CableSolver::CableSolver(ros::NodeHandle node, const CableSolverParameters& para
                             return simulations_.run(request, whileRosRuns);
                           }),
       simulate_variation_action_(node_, kSimulateVariationAction, simulations_) {
+  context_.setAuthor(parameters.author);
   logWarnings(context_.design().scene);
   context_.onChange([this] { show(); });
   context_.onConfirm([this] { showAgain(); });

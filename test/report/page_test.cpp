@@ -21,14 +21,16 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-/// Every character that markup gives a meaning, and one that XML cannot hold.
-const std::string kNasty = "<b>\"R&D\" & 'x' ]]> --\x01";
+/// Every character that markup gives a meaning, and what XML cannot hold: control characters, bytes that are
+/// no UTF-8, half of a pair of UTF-16, U+FFFF.
+const std::string kNasty = "<b>\"R&D\" & 'x' ]]> --\x01\xff\xed\xa0\x80\xef\xbf\xbf ü";
 
 ReportSection nastySection() {
   ReportSection section(kNasty);
   section.heading(kNasty);
   section.paragraph(kNasty);
   section.warning(kNasty);
+  section.banner(Tone::bad, kNasty, kNasty);
   section.table({kNasty, {kNasty, "two\nlines"}, {{{kNasty, 0.0, false}, {kNasty, 0.7, true}}}});
   section.chart(barChart({{kNasty, 2.0, kNasty}, {"none", 0.0, "0"}}), kNasty);
   section.chart(lowHighChart(1.0, {{kNasty, 0.5, 2.0}, {"gone", kNan, kNan}}, 0.4, 5.0), kNasty);
@@ -36,7 +38,8 @@ ReportSection nastySection() {
 }
 
 TEST(ReportPage, IsWellFormedWhateverTheNames) {
-  const std::string page = reportPage(kNasty, {kNasty, ""}, {kNasty}, {nastySection(), nastySection()});
+  const std::string page =
+      reportPage(kNasty, {{kNasty, kNasty}, {"", ""}}, {kNasty}, {nastySection(), nastySection()});
   EXPECT_EQ(faultOfXml(page), "");
   EXPECT_EQ(page.find("<b>"), std::string::npos);
   EXPECT_NE(page.find("&lt;b&gt;&quot;R&amp;D&quot; &amp; &#39;x&#39;"), std::string::npos);
@@ -65,7 +68,8 @@ TEST(ReportPage, KeepsItsSectionsInOrder) {
 }
 
 TEST(ReportPage, TellsItsWarningsBeforeAnyFigure) {
-  const std::string page = reportPage("page", {"about"}, {"a < b", "mm?"}, {ReportSection("first")});
+  const std::string page =
+      reportPage("page", {{"Scene", "about"}}, {"a < b", "mm?"}, {ReportSection("first")});
   EXPECT_NE(page.find("a &lt; b</p>"), std::string::npos);
   EXPECT_LT(page.find("about"), page.find("a &lt; b</p>"));
   EXPECT_LT(page.find("mm?</p>"), page.find("<section"));
@@ -86,6 +90,12 @@ TEST(Figure, IsShortAndTrue) {
   EXPECT_EQ(figure(kNan), "–");
   EXPECT_EQ(shownUnit("m").factor * 0.25, 250.0);
   EXPECT_DOUBLE_EQ(shownUnit("rad").factor * M_PI, 180.0);
+  EXPECT_EQ(shownUnit("rad").name, "deg");  // as the console has them: scripts/solver_client.py
+  EXPECT_EQ(shownUnit("Pa").name, "MPa");
+  EXPECT_DOUBLE_EQ(shownUnit("Pa").factor * 2e7, 20.0);
+  EXPECT_EQ(shownUnit("1").name, "%");
+  EXPECT_DOUBLE_EQ(shownUnit("1").factor * 0.15, 15.0);
+  EXPECT_EQ(shownUnit("N m").name, "N m");
 }
 
 TEST(BarChart, IsToScale) {

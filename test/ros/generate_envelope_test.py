@@ -395,6 +395,8 @@ class GenerateEnvelopeTest(NodeTest):
             base = os.path.join(folder, 'out', 'run_1')
             self.assertEqual((answer.mesh_file, answer.urdf_file, answer.region_file),
                              (base + '.stl', base + '.urdf', base + '.obj'))
+            self.assertEqual(answer.report_file, base + '.html')
+            xml.dom.minidom.parse(answer.report_file)
             self.assertEqual(os.path.getsize(answer.mesh_file), 84 + 50 * len(answer.mesh.triangles))
             xml.dom.minidom.parse(answer.urdf_file)
 

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include <ros_interface/conversion/envelope_conversion.h>
+#include <cable_variation/envelope/clearance/clearance_limit.h>
 
 namespace cable_variation_ros {
 namespace {

@@ -27,8 +27,9 @@ std::string alongChart(const CableVariation& cable) {
   const auto y = [&](double value) {
     return kTop + kHeight * (1.0 - (largest > 0.0 ? value / largest : 0.0));
   };
-  std::string content = svg::line(kLeft, kTop + kHeight, kLeft + kPlot, kTop + kHeight, "stroke:#8a919c");
-  content += svg::line(kLeft, kTop, kLeft, kTop + kHeight, "stroke:#8a919c");
+  std::string content =
+      svg::line(kLeft, kTop + kHeight, kLeft + kPlot, kTop + kHeight, "stroke:var(--faint)");
+  content += svg::line(kLeft, kTop, kLeft, kTop + kHeight, "stroke:var(--faint)");
   content += svg::text(kLeft - 6.0, kTop + 4.0, "end", millimetres(largest));
   content += svg::text(kLeft - 6.0, kTop + kHeight + 4.0, "end", "0");
   content += svg::text(kLeft, kTop + kHeight + 16.0, "middle", "0");
@@ -39,8 +40,8 @@ std::string alongChart(const CableVariation& cable) {
     double (*value)(const SectionVariation&);
     const char* style;
   };
-  for (const Line& line : {Line{"6σ", sixSigma, "stroke:#0072b2;stroke-width:1.5"},
-                           Line{"range", range, "stroke:#e69f00;stroke-width:1.5"}}) {
+  for (const Line& line : {Line{"6σ", sixSigma, "stroke:var(--line-1);stroke-width:1.5"},
+                           Line{"range", range, "stroke:var(--line-2);stroke-width:1.5"}}) {
     std::size_t highest = 0;
     for (std::size_t i = 1; i < cable.sections.size(); ++i) {
       content += svg::line(x(i - 1), y(line.value(cable.sections[i - 1])), x(i),

@@ -12,8 +12,8 @@ namespace cable_variation {
 namespace {
 
 /// Told apart with every colour vision (Okabe and Ito 2008).
-constexpr std::array<const char*, 7> kLineColors = {"#0072b2", "#e69f00", "#009e73", "#cc79a7",
-                                                    "#56b4e9", "#d55e00", "#16181d"};
+constexpr std::array<const char*, 7> kLineColors = {"#0072b2", "#e69f00", "#009e73",   "#cc79a7",
+                                                    "#56b4e9", "#d55e00", "var(--ink)"};
 
 /// Labels are at least `gap` apart, in their order, and as near their places as that allows going down, then
 /// up.
@@ -38,7 +38,7 @@ std::string barChart(const std::vector<Bar>& bars) {
     const double top = kRow * static_cast<double>(i);
     const double length = largest > 0.0 ? kBars * bars[i].value / largest : 0.0;
     content += svg::text(kLabels - 6.0, top + 14.0, "end", bars[i].label);
-    content += svg::rectangle(kLabels, top + 3.0, length, 14.0, "fill:#2678b2");
+    content += svg::rectangle(kLabels, top + 3.0, length, 14.0, "fill:var(--accent)");
     content += svg::text(kLabels + length + 5.0, top + 14.0, "start", bars[i].text);
   }
   return svg::element(kLabels + kBars + kValues, kRow * static_cast<double>(bars.size()), content);
@@ -71,12 +71,12 @@ std::string lowHighChart(double nominal, const std::vector<LowHighLine>& lines,
   const double low_x = kLeft, nominal_x = kLeft + 0.5 * kPlot, high_x = kLeft + kPlot;
   std::string content;
   for (const double x : {low_x, nominal_x, high_x}) {
-    content += svg::line(x, kTop, x, kTop + plot_height, "stroke:#d5d9e0");
+    content += svg::line(x, kTop, x, kTop + plot_height, "stroke:var(--rule)");
   }
   for (const std::optional<double>& limit : {lower, upper}) {
     if (limit && *limit >= smallest && *limit <= largest) {
       content +=
-          svg::line(low_x, height(*limit), high_x, height(*limit), "stroke:#b00020;stroke-dasharray:5 3");
+          svg::line(low_x, height(*limit), high_x, height(*limit), "stroke:var(--bad);stroke-dasharray:5 3");
     }
   }
   content += svg::text(kLeft - 6.0, height(largest) + 4.0, "end", figure(largest, 3));

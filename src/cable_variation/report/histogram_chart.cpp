@@ -12,7 +12,7 @@ namespace cable_variation {
 namespace {
 
 constexpr double kSide = 30.0, kPlot = 330.0, kTop = 20.0, kHeight = 150.0, kBottom = 24.0;  // [px]
-constexpr const char* kLimitColor = "#b00020";
+constexpr const char* kLimitColor = "var(--bad)";
 
 // What is drawn: the bins, and limits and nominal nearby; those far off would flatten the bins.
 class Axis {
@@ -54,7 +54,7 @@ std::string bars(const Histogram& histogram, const HistogramMarks& marks, const 
     // what is there is seen, however little
     const double height = std::max(1.0, kHeight * static_cast<double>(histogram.counts[i]) / most);
     content += svg::rectangle(left, kTop + kHeight - height, std::max(width - 0.5, 0.5), height,
-                              std::string("fill:") + (outside ? kLimitColor : "#8db8d6"));
+                              std::string("fill:") + (outside ? kLimitColor : "var(--bar)"));
   }
   return content;
 }
@@ -68,7 +68,7 @@ std::string normalCurve(const HistogramMarks& marks, const Axis& axis, double pe
     const double height = kHeight * peak * std::exp(-0.5 * z * z) / most;
     points += svg::pixels(axis.place(value)) + "," + svg::pixels(kTop + kHeight - height) + " ";
   }
-  return "<polyline points=\"" + points + "\" style=\"fill:none;stroke:#16181d;stroke-width:1.2\"/>\n";
+  return "<polyline points=\"" + points + "\" style=\"fill:none;stroke:var(--ink);stroke-width:1.2\"/>\n";
 }
 
 }  // namespace
@@ -76,7 +76,7 @@ std::string normalCurve(const HistogramMarks& marks, const Axis& axis, double pe
 std::string histogramChart(const Histogram& histogram, const HistogramMarks& marks) {
   const Axis axis(histogram, marks);
   const double width = kPlot + 2.0 * kSide, base = kTop + kHeight;
-  std::string content = svg::line(kSide, base, kSide + kPlot, base, "stroke:#16181d");
+  std::string content = svg::line(kSide, base, kSide + kPlot, base, "stroke:var(--ink)");
   if (!histogram.counts.empty()) {
     const bool curve = marks.sigma > 0.0 && histogram.width > 0.0;
     const auto count = static_cast<double>(
@@ -91,8 +91,8 @@ std::string histogramChart(const Histogram& histogram, const HistogramMarks& mar
     if (!axis.shows(value)) return;
     content += svg::line(axis.place(value), kTop, axis.place(value), base, style);
   };
-  mark(marks.mean, "stroke:#16181d");
-  mark(marks.nominal, "stroke:#16181d;stroke-dasharray:2 3");
+  mark(marks.mean, "stroke:var(--ink)");
+  mark(marks.nominal, "stroke:var(--ink);stroke-dasharray:2 3");
   for (const std::optional<double>& limit : {marks.lower, marks.upper}) {
     if (!limit || !axis.shows(*limit)) continue;
     mark(*limit, std::string("stroke:") + kLimitColor + ";stroke-dasharray:5 3");

@@ -1,41 +1,53 @@
 #include <cable_variation/report/markup.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include <cable_variation/util/number_text.h>
+#include <cable_variation/util/utf8.h>
 
 namespace cable_variation {
 
+namespace {
+
+/// What a character of markup is written as; null: it is none.
+const char* entityOf(char c) {
+  switch (c) {
+    case '&':
+      return "&amp;";
+    case '<':
+      return "&lt;";
+    case '>':
+      return "&gt;";
+    case '"':
+      return "&quot;";
+    case '\'':
+      return "&#39;";
+    default:
+      return nullptr;
+  }
+}
+
+}  // namespace
+
 std::string escaped(const std::string& text) {
+  constexpr char kReplacement[] = "\xEF\xBF\xBD";  // U+FFFD
   std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      case '\'':
-        result += "&#39;";
-        break;
-      case '\t':
-      case '\n':
-        result += c;
-        break;
-      default:
-        if (static_cast<unsigned char>(c) < 0x20) {
-          result += "\xEF\xBF\xBD";
-        } else {
-          result += c;
-        }
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = utf8Length(text, at);
+    const char c = text[at];
+    const bool is_control = static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n';
+    // U+FFFE and U+FFFF are no characters of XML either
+    const bool is_none = length == 0 || is_control || text.compare(at, 3, "\xEF\xBF\xBE") == 0 ||
+                         text.compare(at, 3, "\xEF\xBF\xBF") == 0;
+    if (is_none) {
+      result += kReplacement;
+    } else if (const char* const entity = entityOf(c)) {
+      result += entity;
+    } else {
+      result.append(text, at, length);
     }
+    at += std::max<std::size_t>(length, 1);
   }
   return result;
 }
@@ -55,10 +67,19 @@ std::string figure(double value, int digits) {
 
 std::string percent(double share) { return figure(100.0 * share, 3) + " %"; }
 
+std::string rejectText(double share) {
+  constexpr double kNever = 1e-9, kVerySmall = 1e-4, kSmall = 1e-2;
+  if (share > 0.0 && share < kNever) return "< 0.001 ppm";
+  const std::string ppm = figure(1e6 * share, 3) + " ppm";
+  if (share > 0.0 && share < kVerySmall) return ppm;
+  return share > 0.0 && share < kSmall ? percent(share) + " (" + ppm + ")" : percent(share);
+}
+
 ShownUnit shownUnit(const std::string& si_unit) {
   if (si_unit == "m") return {"mm", 1e3};
-  if (si_unit == "rad") return {"°", 180.0 / M_PI};
-  if (si_unit == "1") return {"", 1.0};
+  if (si_unit == "rad") return {"deg", 180.0 / M_PI};
+  if (si_unit == "Pa") return {"MPa", 1e-6};
+  if (si_unit == "1") return {"%", 1e2};
   return {si_unit, 1.0};
 }
 

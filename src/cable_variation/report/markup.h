@@ -4,8 +4,8 @@
 
 namespace cable_variation {
 
-/// Text as content or attribute of XHTML: markup characters escaped, control characters (which XML cannot
-/// hold) replaced by U+FFFD.
+/// Text as content or attribute of XHTML: markup characters escaped, what XML cannot hold (control
+/// characters, bytes that are no UTF-8) replaced by U+FFFD.
 std::string escaped(const std::string& text);
 
 /// A paragraph that stands out, as XHTML. @param text plain
@@ -16,9 +16,14 @@ std::string figure(double value, int digits = 4);
 
 std::string percent(double share);  ///< to three figures
 
-/// The unit in which a person reads a quantity: mm for m, degrees for rad, others as they are.
+/// A share of production that is no good: a small one in parts per million too, a very small one in these
+/// alone. Of one that never comes the digits would mean nothing.
+std::string rejectText(double share);
+
+/// The unit in which a person reads a quantity, as the console has it: mm for m, deg for rad, MPa for Pa, %
+/// for what has none, others as they are.
 struct ShownUnit {
-  std::string name;     ///< empty: dimensionless
+  std::string name;
   double factor = 1.0;  ///< shown = factor × SI
 };
 ShownUnit shownUnit(const std::string& si_unit);

@@ -5,10 +5,14 @@
 
 namespace cable_variation {
 
+/// How good something is, beside the word that says so.
+enum class Tone { plain, good, doubtful, bad };
+
 struct ReportCell {
   std::string text;
   double shade = 0.0;     ///< 0 white to 1 full
   bool emphasis = false;  ///< out of its limits
+  Tone tone = Tone::plain;
 };
 
 struct ReportTable {
@@ -28,8 +32,12 @@ class ReportSection {
   void paragraph(const std::string& text);
   void warning(const std::string& text);
   void table(const ReportTable& table);
+  /// What the reader is to see first. @param word in capitals @param text what it is about
+  void banner(Tone tone, const std::string& word, const std::string& text);
+  /// How much of the page's width a figure takes where that is wide enough.
+  enum class Width { third, half, full };
   /// @param svg element made by a chart function
-  void chart(const std::string& svg, const std::string& caption);
+  void chart(const std::string& svg, const std::string& caption, Width width = Width::third);
 
   const std::string& html() const { return html_; }  ///< well-formed XHTML
 

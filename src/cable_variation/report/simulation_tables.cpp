@@ -29,16 +29,6 @@ ReportCell optional(const std::optional<double>& value, double factor, int digit
 // Below 1 the spread does not fit between the limits.
 ReportCell index(double value) { return {figure(value, 3), 0.0, value < 1.0}; }
 
-// A small share in parts per million too, a very small one in these alone. Of one that never comes the digits
-// would mean nothing.
-std::string rejects(double share) {
-  constexpr double kNever = 1e-9, kVerySmall = 1e-4, kSmall = 1e-2;
-  if (share > 0.0 && share < kNever) return "< 0.001 ppm";
-  const std::string ppm = figure(1e6 * share, 3) + " ppm";
-  if (share > 0.0 && share < kVerySmall) return ppm;
-  return share > 0.0 && share < kSmall ? percent(share) + " (" + ppm + ")" : percent(share);
-}
-
 // What is less than half a thousandth is nothing here.
 double inThousandths(double value) { return std::round(1e3 * value) / 1e3; }
 
@@ -107,8 +97,8 @@ ReportTable capabilityTable(const Scene& scene, const SimulationStatistics& stat
         {plain(measure.name), optional(measure.lower, unit.factor), optional(measure.upper, unit.factor),
          plain(unit.name), c.cp ? index(*c.cp) : plain(""), index(c.cpk),
          plain(between(c.cpk_interval, 1.0, 3)), c.cpk_quantile ? index(*c.cpk_quantile) : plain(""),
-         plain(rejects(c.below + c.above)), plain(between(c.outside_interval, 100.0, 3) + " %"),
-         plain(rejects(c.outside_at_worst)), plain(rejects(c.below_normal + c.above_normal))});
+         plain(rejectText(c.below + c.above)), plain(between(c.outside_interval, 100.0, 3) + " %"),
+         plain(rejectText(c.outside_at_worst)), plain(rejectText(c.below_normal + c.above_normal))});
   }
   return table;
 }

@@ -11,8 +11,10 @@ ReportCell limit(const std::optional<double>& value, const ShownUnit& unit) {
 }
 
 std::string unitsOf(const ShownUnit& measure, const ShownUnit& variable) {
-  const std::string top = measure.name.empty() ? "1" : measure.name;
-  return variable.name.empty() ? measure.name : top + "/" + variable.name;
+  const bool is_ratio = measure.name.find('/') != std::string::npos;
+  const bool is_product = variable.name.find(' ') != std::string::npos;
+  return (is_ratio ? "(" + measure.name + ")" : measure.name) + "/" +
+         (is_product ? "(" + variable.name + ")" : variable.name);
 }
 
 }  // namespace

@@ -4,8 +4,11 @@
 #include <utility>
 
 #include <cable_variation/equilibrium/require_converged.h>
+#include <cable_variation/report/design_changes.h>
 #include <cable_variation/scene/design_rate.h>
 #include <cable_variation/scene/measure_traits.h>
+#include <cable_variation/util/regular_file.h>
+#include <cable_variation/util/sha256.h>
 
 namespace cable_variation_ros {
 
@@ -23,8 +26,21 @@ using cable_variation::SolvedScene;
 using cable_variation::StabilityAnalysis;
 using cable_variation::StabilityOptions;
 
+namespace {
+
+std::string hashOf(const Scene& scene) {
+  try {
+    return cable_variation::sha256(cable_variation::readWhole(scene.source, cable_variation::kAnySize));
+  } catch (const std::invalid_argument&) {  // made in memory, or taken away meanwhile
+    return "";
+  }
+}
+
+}  // namespace
+
 SolverContext::SolverContext(Scene scene)
     : loaded_(std::move(scene)),
+      source_hash_(hashOf(loaded_)),
       design_{loaded_, {}},
       harness_(harnessAt(design_, {}, moved_)),
       solver_(newSolver(loaded_)),
@@ -56,12 +72,14 @@ void SolverContext::take(EquilibriumSolver solver, Design design, Harness harnes
 }
 
 void SolverContext::load(Scene scene) {
+  std::string hash = hashOf(scene);
   Design design{std::move(scene), {}};
   Harness harness = harnessAt(design, {});
   EquilibriumSolver solver = newSolver(design.scene);
   Equilibrium equilibrium = solver.solve(harness);
   requireConverged(equilibrium);
   loaded_ = design.scene;
+  source_hash_ = std::move(hash);
   moved_.clear();
   evaluator_.reset();
   ++loads_;
@@ -109,8 +127,12 @@ void SolverContext::confirm(const ros::Time& stamp) {
   if (confirmed_) confirmed_();
 }
 
+DesignOrigin SolverContext::origin() const {
+  return {source_hash_, designChanges(loaded_, design_.scene), author_};
+}
+
 SolverContext::Snapshot SolverContext::snapshot() const {
-  return {design_, moved_, solver_, parts(), design_number_};
+  return {design_, moved_, solver_, parts(), design_number_, origin()};
 }
 
 cable_variation::ComponentParts SolverContext::parts() const {

@@ -3,6 +3,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <ros/time.h>
 
@@ -13,6 +14,13 @@
 #include <cable_variation/tracking/clip_follower.h>
 
 namespace cable_variation_ros {
+
+/// Where a design comes from, for a report on it.
+struct DesignOrigin {
+  std::string source_hash;           ///< SHA-256 of the scene's file when it was loaded; empty: not known
+  std::vector<std::string> changes;  ///< what edits have changed since, see designChanges()
+  std::string author;                ///< of reports; empty: not told
+};
 
 /// The scene, the design in force and its shape: what the solver's services share.
 class SolverContext {
@@ -41,6 +49,8 @@ class SolverContext {
   std::size_t loads() const { return loads_; }
   /// Whether anything was edited since the scene was loaded or reset.
   bool edited() const { return edited_; }
+  DesignOrigin origin() const;
+  void setAuthor(const std::string& author) { author_ = author; }
 
   /// Another number, another scene or design; moving components does not change it.
   std::size_t designNumber() const { return design_number_; }
@@ -52,6 +62,7 @@ class SolverContext {
     cable_variation::EquilibriumSolver solver;  ///< follows the shape in force, if there is one
     cable_variation::ComponentParts parts;      ///< as far as they have been prepared
     std::size_t design_number = 0;
+    DesignOrigin origin;
   };
   Snapshot snapshot() const;
   /// Components as far as they have been prepared: those that measures looked at.
@@ -117,6 +128,8 @@ class SolverContext {
                                                      const std::vector<std::size_t>& measures) const;
 
   cable_variation::Scene loaded_;  ///< for reset()
+  std::string source_hash_;
+  std::string author_;
   cable_variation::Design design_;
   cable_variation::ComponentPoses moved_;
   cable_variation::Harness harness_;

@@ -1,8 +1,9 @@
 #include <ros_interface/conversion/envelope_conversion.h>
 
 #include <algorithm>
+#include <optional>
 
-#include <cable_variation/scene/measure_traits.h>
+#include <cable_variation/envelope/clearance/clearance_limit.h>
 #include <ros_interface/conversion/matrix_conversion.h>
 #include <ros_interface/conversion/message_conversion.h>
 
@@ -12,24 +13,9 @@ using cable_variation::ClearanceResult;
 using cable_variation::Envelope;
 using cable_variation::EnvelopeClearance;
 using cable_variation::GenerateEnvelopeResponse;
-using cable_variation::Measure;
 using cable_variation::Scene;
 
 namespace {
-
-bool contains(const std::vector<std::size_t>& all, std::size_t each) {
-  return std::find(all.begin(), all.end(), each) != all.end();
-}
-
-bool isOf(const Measure& measure, const EnvelopeClearance& clearance, const Scene& scene) {
-  if (!traitsOf(measure.type).clearance) return false;
-  if (!clearance.other) {
-    return measure.component && scene.components[*measure.component].name == clearance.component &&
-           contains(measure.cables, clearance.cable);
-  }
-  return (contains(measure.cables, clearance.cable) && contains(measure.other_cables, *clearance.other)) ||
-         (contains(measure.cables, *clearance.other) && contains(measure.other_cables, clearance.cable));
-}
 
 std::uint8_t toKind(EnvelopeClearance::Kind kind) {
   switch (kind) {
@@ -136,15 +122,6 @@ shape_msgs::Mesh toMesh(const cable_variation::TriangleMesh& mesh) {
               message.triangles[i].vertex_indices.begin());
   }
   return message;
-}
-
-std::optional<double> lowerLimit(const Scene& scene, const EnvelopeClearance& clearance) {
-  std::optional<double> limit;
-  for (const Measure& measure : scene.measures) {
-    if (!measure.lower || !isOf(measure, clearance, scene)) continue;
-    limit = std::max(limit.value_or(*measure.lower), *measure.lower);
-  }
-  return limit;
 }
 
 GenerateEnvelopeResponse toResponse(const Scene& scene, const Envelope& envelope,

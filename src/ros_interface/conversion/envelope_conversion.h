@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include <shape_msgs/Mesh.h>
@@ -12,11 +11,6 @@
 namespace cable_variation_ros {
 
 shape_msgs::Mesh toMesh(const cable_variation::TriangleMesh& mesh);
-
-/// The lower limit that the scene's distance measures set for a cable and a component, or two cables: the
-/// largest, none without such a measure.
-std::optional<double> lowerLimit(const cable_variation::Scene& scene,
-                                 const cable_variation::EnvelopeClearance& clearance);
 
 /// Everything but the status, the mesh, files and what only the caller knows.
 cable_variation::GenerateEnvelopeResponse toResponse(

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <map>
 
+#include <cable_variation/envelope/clearance/clearance_limit.h>
 #include <cable_variation/measures/component_parts.h>
-#include <ros_interface/conversion/envelope_conversion.h>
 #include <ros_interface/markers/marker_colours.h>
 #include <ros_interface/markers/marker_shapes.h>
 #include <ros_interface/node/names.h>

@@ -126,6 +126,7 @@ CableSolverParameters readCableSolverParameters(const ros::NodeHandle& node) {
         reader.optionalCount("threads", parameters.threads, kMostThreads);
         reader.optionalPositive("memory_limit", parameters.memory_limit, kMostMemory);
         reader.optional("output_directory", parameters.output_directory);
+        reader.optional("author", parameters.author);
       });
 }
 

@@ -34,6 +34,7 @@ struct CableSolverParameters {
   double memory_limit = 2e9;    ///< for one envelope or simulation [B]
   /// Where files are written; made when there is something to write.
   std::string output_directory = defaultOutputDirectory();
+  std::string author;  ///< named in reports; empty: not
 };
 
 // Each reads the parameters of a node's private handle. Throws

@@ -13,11 +13,13 @@ namespace cable_variation_ros {
 
 EnvelopeFiles envelopeFiles(const OutputDirectory& output, const std::string& name,
                             const cable_variation::Scene& scene, const cable_variation::Envelope& envelope,
-                            const cable_variation::OuterSurface& surface) {
+                            const cable_variation::OuterSurface& surface, const std::string& report) {
   EnvelopeFiles files;
   files.mesh = output.pathOf(name, ".stl");
   files.urdf = output.pathOf(name, ".urdf");
   files.region = output.pathOf(name, ".obj");
+  files.report = output.pathOf(name, ".html");
+  files.report_contents = {{files.report, report}};
   const std::filesystem::path folder = std::filesystem::path(files.urdf).parent_path();
   cable_variation::EnvelopeUrdfOptions options;
   options.name = name;
@@ -52,6 +54,7 @@ void write(EnvelopeFiles& files, const OutputDirectory& output) {
   writeAll(files.mesh_contents, files.mesh);
   writeAll(files.region_contents, files.region);
   writeAll(files.urdf_contents, files.urdf);
+  writeAll(files.report_contents, files.report);
 }
 
 }  // namespace cable_variation_ros

@@ -16,17 +16,19 @@ struct EnvelopeFiles {
   std::string mesh;       ///< NAME.stl: the outer surface, binary
   std::string urdf;       ///< NAME.urdf: convex pieces to collide with, NAME_*.stl
   std::string region;     ///< NAME.obj: the pieces themselves, see CheckForbiddenRegion
+  std::string report;     ///< NAME.html
   double rounding = 0.0;  ///< of the coordinates in the STL files [m]
 
-  using Contents = std::vector<std::pair<std::string, std::string>>;  ///< path and contents
-  Contents mesh_contents, urdf_contents, region_contents;             ///< in the order to write them
+  using Contents = std::vector<std::pair<std::string, std::string>>;        ///< path and contents
+  Contents mesh_contents, urdf_contents, region_contents, report_contents;  ///< in the order to write them
   std::string error;  ///< what went wrong in writing, and with which file; empty: nothing
 };
 
+/// @param report the page
 /// Throws as OutputDirectory::pathOf().
 EnvelopeFiles envelopeFiles(const OutputDirectory& output, const std::string& name,
                             const cable_variation::Scene& scene, const cable_variation::Envelope& envelope,
-                            const cable_variation::OuterSurface& surface);
+                            const cable_variation::OuterSurface& surface, const std::string& report);
 
 /// Writes them, in place of older ones: each complete or not at all, the URDF together with the pieces it
 /// names. What cannot be written loses its path, and `error` tells of it; the others are written.

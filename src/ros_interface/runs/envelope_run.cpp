@@ -13,6 +13,7 @@
 #include <ros_interface/markers/clearance_markers.h>
 #include <ros_interface/node/names.h>
 #include <ros_interface/runs/envelope_files.h>
+#include <ros_interface/runs/envelope_report.h>
 
 namespace cable_variation_ros {
 
@@ -149,13 +150,18 @@ void EnvelopeRun::view(const Result& result) {
 void EnvelopeRun::write(const Result& result, RunControl& control) {
   if (task_.name.empty()) return control.complete();
   control.report({"files", kSurfaceShare, result.envelope.solves});
-  EnvelopeFiles files =
-      envelopeFiles(limits_.output, task_.name, scene(), result.envelope, result.surfaces.whole);
+  const OuterSurface& surface = result.surfaces.whole;
+  const std::string report = envelopeReport(
+      task_, snapshot_, solverAt(snapshot_, task_.options, task_.other_design),
+      {task_.options, result.envelope, result.clearances, surface.mesh, surface.excess, response_.volume},
+      response_.warnings);
+  EnvelopeFiles files = envelopeFiles(limits_.output, task_.name, scene(), result.envelope, surface, report);
   control.complete();
   cable_variation_ros::write(files, limits_.output);
   response_.mesh_file = files.mesh;
   response_.urdf_file = files.urdf;
   response_.region_file = files.region;
+  response_.report_file = files.report;
   if (files.rounding > kWorthTelling) {
     warn("the STL files have their coordinates rounded by up to " +
          cable_variation::shortNumber(files.rounding) + " m, so far from the origin; the .obj has them all");

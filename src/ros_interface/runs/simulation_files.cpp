@@ -1,16 +1,17 @@
 #include <ros_interface/runs/simulation_files.h>
 
-#include <cable_variation/report/cable_variation_section.h>
-#include <cable_variation/report/page.h>
+#include <cable_variation/report/review.h>
 #include <cable_variation/report/sample_csv.h>
 #include <cable_variation/report/simulation_section.h>
+#include <cable_variation/scene/moving_components.h>
 #include <cable_variation/util/error.h>
 #include <cable_variation/util/output_file.h>
-#include <ros_interface/conversion/scene_loading.h>
-#include <ros_interface/conversion/utc_time.h>
+#include <ros_interface/runs/report_file.h>
 
 namespace cable_variation_ros {
 
+using cable_variation::ComponentPoses;
+using cable_variation::ReportFact;
 using cable_variation::SampleCsv;
 using cable_variation::SampleOutcome;
 using cable_variation::SampleReceiver;
@@ -20,34 +21,37 @@ using cable_variation::SimulationOptions;
 
 namespace {
 
-/// What was asked for, under the report's title.
-std::vector<std::string> about(const Scene& scene, const SimulationOptions& options,
-                               const Simulation& simulation) {
-  std::vector<std::string> lines{scene.source, utcNow()};
-  if (!options.motions.empty()) {
-    std::string over = "Over the motion of ";
-    for (const std::size_t index : options.motions) {
-      over += (index == options.motions.front() ? "" : " and ") + scene.motions[index].name;
-    }
-    char times[96];
-    if (options.to > options.from) {
-      std::snprintf(times, sizeof times,
-                    ", measures at their worst from %.3g s to %.3g s, solved at %zu times", options.from,
-                    options.to, simulation.times.size());
-    } else {
-      std::snprintf(times, sizeof times, ", at %.3g s", options.from);
-    }
-    lines.push_back(over + times);
+/// What was asked for, at the head of the report.
+std::vector<ReportFact> about(const Scene& scene, const SimulationOptions& options,
+                              const Simulation& simulation) {
+  std::vector<ReportFact> facts{{"Samples", std::to_string(simulation.statistics.samples)}};
+  if (simulation.ended_early) facts.front().text += ". Ended early: these are the samples done by then";
+  if (options.motions.empty()) return facts;
+  char times[96];
+  if (options.to > options.from) {
+    std::snprintf(times, sizeof times, ", measures at their worst from %.3g s to %.3g s, solved at %zu times",
+                  options.from, options.to, simulation.times.size());
+  } else {
+    std::snprintf(times, sizeof times, ", at %.3g s", options.from);
   }
-  if (simulation.ended_early) lines.emplace_back("Ended early: these are the samples done by then");
-  return lines;
+  facts.push_back({"Motion", motionText(scene, options.motions) + times});
+  return facts;
+}
+
+/// At the time that the simulation shows the cables at.
+ComponentPoses posesShown(const Scene& scene, const SimulationOptions& options,
+                          const Simulation& simulation) {
+  if (options.motions.empty()) return componentPosesAt(scene, options.values, options.moved);
+  std::vector<const cable_variation::Motion*> motions;
+  for (const std::size_t index : options.motions) motions.push_back(&scene.motions[index]);
+  return componentPosesAt(scene, options.values, posesDuring(scene, motions, simulation.shown_time));
 }
 
 }  // namespace
 
 SimulationFiles::SimulationFiles(const OutputDirectory& output, const SimulationTask& task,
-                                 const Scene& scene)
-    : output_(output), task_(task), scene_(scene) {
+                                 const Scene& scene, const DesignOrigin& origin)
+    : output_(output), task_(task), scene_(scene), origin_(origin) {
   if (task.name.empty()) return;
   samples_path_ = output.fileFor(task.name, ".csv");
   samples_ = std::make_unique<SampleCsv>(samples_path_, scene, task.options.variables, task.options.measures,
@@ -95,14 +99,18 @@ void SimulationFiles::finish(const Simulation& simulation,
   if (simulation.statistics.samples == 0) return;
   response.statistics_file = written("_statistics.csv", statisticsCsv(scene_, simulation.statistics));
   response.contributions_file = written("_contributions.csv", contributionCsv(scene_, simulation.statistics));
-  std::vector<std::string> warnings = warningsOf(scene_);
-  warnings.insert(warnings.end(), simulation.warnings.begin(), simulation.warnings.end());
-  response.report_file =
-      written(".html",
-              cable_variation::reportPage(
-                  "Variation simulation", about(scene_, task_.options, simulation), warnings,
-                  {simulationSection(scene_, simulation.statistics, task_.options.values, &simulation.linear),
-                   cableVariationSection(scene_, simulation)}));
+  const SimulationOptions& options = task_.options;
+  const ComponentPoses poses = posesShown(scene_, options, simulation);
+  const cable_variation::SolvedScene solved{simulation.harness, simulation.linear.nominal, poses};
+  cable_variation::Review review =
+      startReview("Variation simulation", origin_, scene_, options.values, solved);
+  review.about = about(scene_, options, simulation);
+  review.warnings.insert(review.warnings.end(), simulation.warnings.begin(), simulation.warnings.end());
+  review.measures = simulation.linear.measures;
+  review.measured = simulation.linear.values;
+  review.variables = simulation.statistics.variables;
+  review.simulation = &simulation;
+  response.report_file = written(".html", reviewPage(review));
 }
 
 }  // namespace cable_variation_ros

@@ -6,6 +6,7 @@
 #include <cable_variation/SimulateVariation.h>
 
 #include <cable_variation/simulation/simulation.h>
+#include <ros_interface/context/solver_context.h>
 #include <ros_interface/node/output_directory.h>
 #include <ros_interface/runs/simulation_task.h>
 
@@ -19,9 +20,10 @@ namespace cable_variation_ros {
 /// must not cost the statistics.
 class SimulationFiles {
  public:
-  /// Opens NAME.csv. No name: no files. Throws cable_variation::FileError that names the file or the folder.
+  /// Opens NAME.csv. No name: no files. What is referred to must outlive this.
+  /// Throws cable_variation::FileError that names the file or the folder.
   SimulationFiles(const OutputDirectory& output, const SimulationTask& task,
-                  const cable_variation::Scene& scene);
+                  const cable_variation::Scene& scene, const DesignOrigin& origin);
   ~SimulationFiles();
 
   /// Takes every sample; empty if there are no files.
@@ -43,6 +45,7 @@ class SimulationFiles {
   const OutputDirectory& output_;
   const SimulationTask& task_;
   const cable_variation::Scene& scene_;
+  const DesignOrigin& origin_;
   std::string samples_path_;
   std::unique_ptr<cable_variation::SampleCsv> samples_;
   bool samples_broken_ = false;

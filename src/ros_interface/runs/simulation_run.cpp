@@ -47,7 +47,7 @@ void SimulationRun::prepare(const SolverContext& context) {
 void SimulationRun::calculate(RunControl& control) {
   const Scene& scene = snapshot_.design.scene;
   const EquilibriumSolver solver = solverAt(snapshot_, task_.options, task_.other_design);
-  SimulationFiles files(limits_.output, task_, scene);
+  SimulationFiles files(limits_.output, task_, scene, snapshot_.origin);
   const Simulation simulation =
       simulateVariation(scene, *evaluator_, task_.options, solver, files.receiver(), control.observer());
 

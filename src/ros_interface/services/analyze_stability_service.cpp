@@ -5,16 +5,11 @@
 #include <ros/node_handle.h>
 
 #include <cable_variation/equilibrium/require_converged.h>
-#include <cable_variation/report/page.h>
 #include <cable_variation/report/stability_section.h>
 #include <cable_variation/sensitivity/most_telling_variable.h>
-#include <cable_variation/util/error.h>
-#include <cable_variation/util/output_file.h>
 #include <ros_interface/context/solver_context.h>
 #include <ros_interface/conversion/component_deviations.h>
-#include <ros_interface/conversion/scene_loading.h>
 #include <ros_interface/conversion/stability_conversion.h>
-#include <ros_interface/conversion/utc_time.h>
 #include <ros_interface/display/variation_publisher.h>
 #include <ros_interface/markers/component_variation_markers.h>
 #include <ros_interface/markers/sensitivity_markers.h>
@@ -23,6 +18,7 @@
 #include <ros_interface/request/name_lookup.h>
 #include <ros_interface/request/name_registry.h>
 #include <ros_interface/request/request_status.h>
+#include <ros_interface/runs/report_file.h>
 
 namespace cable_variation_ros {
 
@@ -113,7 +109,7 @@ AnalyzeStabilityService::Response AnalyzeStabilityService::analyse(const Request
   const ComponentPoses poses = componentPosesAt(scene, options.values, options.moved);
   const std::vector<ComponentVariation> components = variationsOf(scene, options);
   Response response = toResponse(scene, options.values, analysis, components, poses);
-  if (!request.report.empty()) writeReport(request.report, scene, analysis, options.values, response);
+  if (!request.report.empty()) writeReport(request, scene, analysis, options, poses, response);
 
   if (request.show_components) {
     const ComponentVariationView view = componentVariationMarkers(
@@ -134,28 +130,20 @@ AnalyzeStabilityService::Response AnalyzeStabilityService::analyse(const Request
   return response;
 }
 
-void AnalyzeStabilityService::writeReport(const std::string& name, const Scene& scene,
-                                          const StabilityAnalysis& analysis,
-                                          const cable_variation::DesignValues& values,
-                                          Response& response) const {
-  const auto write = [&](const char* extension, const std::string& contents) -> std::string {
-    const std::string path = output_.pathOf(name, extension);
-    try {
-      output_.make();
-      cable_variation::writeFile(path, contents);
-      return path;
-    } catch (const cable_variation::FileError& problem) {
-      response.status.code = Status::IO_ERROR;
-      std::string& message = response.status.message;
-      if (message.find(problem.what()) == std::string::npos)  // a folder that is not there is told once
-        message += (message.empty() ? "" : "; ") + std::string(problem.what());
-      return "";
-    }
-  };
-  response.csv_file = write(".csv", stabilityCsv(scene, analysis, values));
-  response.report_file = write(
-      ".html", cable_variation::reportPage("Stability analysis", {scene.source, utcNow()}, warningsOf(scene),
-                                           {stabilitySection(scene, analysis, values)}));
+void AnalyzeStabilityService::writeReport(const Request& request, const Scene& scene,
+                                          const StabilityAnalysis& analysis, const StabilityOptions& options,
+                                          const ComponentPoses& poses, Response& response) const {
+  const cable_variation::Harness harness = harnessAt(scene, options.values, options.moved);
+  const cable_variation::SolvedScene solved{harness, analysis.nominal, poses};
+  cable_variation::Review review =
+      startReview("Stability analysis", context_.origin(), scene, options.values, solved);
+  review.measures = analysis.measures;
+  review.measured = analysis.values;
+  review.variables = analysis.variables;
+  review.stability = &analysis;
+  const std::string csv = stabilityCsv(scene, analysis, options.values);
+  response.csv_file = writeBeside(output_, request.report, ".csv", csv, response.status);
+  response.report_file = writeBeside(output_, request.report, ".html", reviewPage(review), response.status);
 }
 
 }  // namespace cable_variation_ros

@@ -31,9 +31,10 @@ class AnalyzeStabilityService {
   bool handle(Request& request, Response& response);
   Response analyse(const Request& request);
   /// Writes the files: what cannot be written is told in the status.
-  void writeReport(const std::string& name, const cable_variation::Scene& scene,
+  void writeReport(const Request& request, const cable_variation::Scene& scene,
                    const cable_variation::StabilityAnalysis& analysis,
-                   const cable_variation::DesignValues& values, Response& response) const;
+                   const cable_variation::StabilityOptions& options,
+                   const cable_variation::ComponentPoses& poses, Response& response) const;
   /// Shows the effect of a design variable on the shape in force, while there is one.
   void follow(const std::string& variable);
 

@@ -1,0 +1,61 @@
+#include <cable_variation/report/design_changes.h>
+
+#include <variant>
+
+#include <cable_variation/report/markup.h>
+
+namespace cable_variation {
+
+namespace {
+
+std::string changed(double before, double after, const std::string& si_unit) {
+  constexpr int kDigits = 6;
+  const ShownUnit unit = shownUnit(si_unit);
+  return figure(unit.factor * before, kDigits) + " → " + figure(unit.factor * after, kDigits) + " " +
+         unit.name;
+}
+
+/// Told of the cable or the clip itself.
+bool isToldOtherwise(const DesignTarget& target) {
+  const auto* property = std::get_if<CableProperty>(&target);
+  return std::holds_alternative<ClipArcLength>(target) ||
+         (property != nullptr && property->property == CableProperty::Property::length);
+}
+
+}  // namespace
+
+std::vector<std::string> designChanges(const Scene& loaded, const Scene& edited) {
+  std::vector<std::string> changes;
+  for (std::size_t i = 0; i < edited.harness.cables.size(); ++i) {
+    const double before = loaded.harness.cables[i].length, after = edited.harness.cables[i].length;
+    if (before == after) continue;
+    changes.push_back("length of cable " + edited.harness.cables[i].name + " " + changed(before, after, "m"));
+  }
+  for (std::size_t i = 0; i < edited.harness.clips.size(); ++i) {
+    const std::string clip = "clip " + edited.harness.clips[i].name;
+    const double before = loaded.harness.clips[i].arc_length, after = edited.harness.clips[i].arc_length;
+    const std::size_t cable = edited.harness.clips[i].cable;
+    const bool at_end =  // of a cable that got longer or shorter
+        before == loaded.harness.cables[cable].length && after == edited.harness.cables[cable].length;
+    if (before != after && !at_end)
+      changes.push_back(clip + " along the cable " + changed(before, after, "m"));
+    const Pose moved = loaded.clip_mounts[i].pose.inverse() * edited.clip_mounts[i].pose;
+    constexpr double kRounding = 1e-12;
+    if (moved.position.norm() > kRounding) {
+      changes.push_back(clip + " moved by " + figure(shownUnit("m").factor * moved.position.norm()) + " mm");
+    }
+    const double turn = Eigen::AngleAxisd(moved.orientation).angle();
+    if (moved.orientation.vec().norm() > kRounding) {
+      changes.push_back(clip + " turned by " + figure(shownUnit("rad").factor * turn) + " deg");
+    }
+  }
+  for (std::size_t i = 0; i < edited.design_variables.size(); ++i) {
+    const DesignVariable& variable = edited.design_variables[i];
+    const double before = loaded.design_variables[i].nominal;
+    if (before == variable.nominal || isToldOtherwise(variable.target)) continue;
+    changes.push_back(variable.name + " " + changed(before, variable.nominal, variable.unit));
+  }
+  return changes;
+}
+
+}  // namespace cable_variation

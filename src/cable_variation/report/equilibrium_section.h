@@ -1,0 +1,13 @@
+#pragma once
+
+#include <cable_variation/measures/measure_evaluation.h>
+#include <cable_variation/report/section.h>
+
+namespace cable_variation {
+
+/// The chapter of a report on the design at rest: shapes, reactions of clips and joints, how sure the figures
+/// are; force, moment, curvature and bend radius along each cable. Lengths in mm.
+/// @param solved converged
+ReportSection equilibriumSection(const Scene& scene, const SolvedScene& solved);
+
+}  // namespace cable_variation

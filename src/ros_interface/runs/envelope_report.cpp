@@ -1,0 +1,56 @@
+#include <ros_interface/runs/envelope_report.h>
+
+#include <sstream>
+
+#include <cable_variation/equilibrium/require_converged.h>
+#include <cable_variation/report/review.h>
+#include <cable_variation/util/chosen_indices.h>
+#include <ros_interface/runs/report_file.h>
+
+namespace cable_variation_ros {
+
+using cable_variation::EnvelopeFindings;
+using cable_variation::EnvelopeOptions;
+using cable_variation::Scene;
+using cable_variation::SolvedScene;
+
+namespace {
+
+std::vector<cable_variation::ReportFact> about(const Scene& scene, const EnvelopeFindings& found) {
+  std::ostringstream held;
+  if (found.envelope.probability > 0.0) {
+    held << 100.0 * found.envelope.probability << " % of production";
+  } else {
+    held << "all that the tolerances allow at their worst together";
+  }
+  std::vector<cable_variation::ReportFact> facts{{"Envelope of", held.str()}};
+  if (found.options.motions.empty()) return facts;
+  std::ostringstream over;
+  over << motionText(scene, found.options.motions) << ", " << found.envelope.phases.front().start << " s to "
+       << found.envelope.phases.back().end << " s";
+  facts.push_back({"Motion", over.str()});
+  return facts;
+}
+
+}  // namespace
+
+std::string envelopeReport(const EnvelopeTask& task, const SolverContext::Snapshot& snapshot,
+                           const cable_variation::EquilibriumSolver& solver, const EnvelopeFindings& found,
+                           const std::vector<std::string>& warnings) {
+  const Scene& scene = snapshot.design.scene;
+  const cable_variation::SolvedSample design =
+      solveSample(scene, task.options, found.envelope, found.envelope.samples.front(), solver);
+  requireConverged(design.equilibrium);
+  const SolvedScene solved{design.harness, design.equilibrium, design.components};
+  cable_variation::Review review =
+      startReview("Tolerance envelope", snapshot.origin, scene, task.options.values, solved);
+  review.about = about(scene, found);
+  review.warnings.insert(review.warnings.end(), warnings.begin(), warnings.end());
+  review.measures = cable_variation::allIndices(scene.measures.size());
+  review.measured = cable_variation::MeasureEvaluator(scene, solved).evaluate(solved, review.measures);
+  review.variables = found.envelope.variables;
+  review.envelope.emplace(found);
+  return reviewPage(review);
+}
+
+}  // namespace cable_variation_ros
