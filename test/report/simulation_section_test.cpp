@@ -152,7 +152,7 @@ TEST_F(SimulationSection, CsvHasAValueForEachHeading) {
 TEST_F(SimulationSection, AHistogramHasABarForEachFilledBin) {
   const std::string chart = histogramChart({0.0, 1.0, {2, 0, 5, 1}}, {1.5, 2.0, 0.0, {}, 3.0});
   EXPECT_EQ(countOf(chart, "<rect"), 3u);
-  EXPECT_EQ(countOf(chart, "fill:#b00020"), 1u);  // the last one, beyond the limit
+  EXPECT_EQ(countOf(chart, "fill:var(--bad)"), 1u);  // the last one, beyond the limit
   EXPECT_EQ(countOf(chart, "<polyline"), 0u);
   // a limit far off is left out, and what varies by nothing is one bar
   EXPECT_EQ(countOf(histogramChart({0.0, 1.0, {2, 1}}, {0.0, 0.0, 1.0, {}, 100.0}), "stroke-dasharray:5 3"),
