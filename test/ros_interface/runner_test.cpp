@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 #include <ros/callback_queue.h>
+#include <ros/time.h>
 
 #include <cable_variation/util/error.h>
 #include <cable_variation/util/seconds_since.h>
@@ -86,6 +87,7 @@ class CountingRun : public LongRun {
 
 class RunnerTest : public testing::Test {
  protected:
+  static void SetUpTestSuite() { ros::Time::init(); }  // a context has a stamp
   ~RunnerTest() override { spinning_.stop(); }
 
   CountingRun::Response ask(CountingRun::Request request, const Runner::Watcher& watcher) {
