@@ -14,6 +14,8 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QElapsedTimer>
+#include <QLineEdit>
+#include <QMouseEvent>
 #include <QPixmap>
 #include <QProgressBar>
 #include <QPushButton>
@@ -102,13 +104,24 @@ class ReviewPanelTest : public testing::Test {
     }
     return -1;
   }
+  /// QTest::mouseMove() moves the mouse with no button pressed.
+  static void drag(QWidget* widget, const QPointF& to) {
+    QMouseEvent event(QEvent::MouseMove, to, widget->mapToGlobal(to.toPoint()), Qt::NoButton, Qt::LeftButton,
+                      Qt::NoModifier);
+    QApplication::sendEvent(widget, &event);
+  }
   static void type(const QString& name, const char* text) {
     const QModelIndex cell = variables()->model()->index(rowOf(name), VariableTableModel::kValue);
     variables()->scrollTo(cell);
     QTest::mouseClick(variables()->viewport(), Qt::LeftButton, {}, variables()->visualRect(cell).center());
     variables()->edit(cell);
-    QWidget* editor = QApplication::focusWidget();
-    ASSERT_NE(editor, nullptr);
+    QLineEdit* editor = nullptr;
+    ASSERT_TRUE(eventually([&] {
+      for (auto* each : variables()->viewport()->findChildren<QLineEdit*>()) {
+        if (each->isVisible()) editor = each;
+      }
+      return editor != nullptr;
+    }));
     QTest::keySequence(editor, QKeySequence::SelectAll);
     QTest::keyClicks(editor, text);
     QTest::keyClick(editor, Qt::Key_Return);
@@ -140,7 +153,7 @@ TEST_F(ReviewPanelTest, TheCableFollowsTheSlider) {
   const QPoint middle = slider->rect().center();
   QTest::mousePress(slider, Qt::LeftButton, {}, middle);
   for (int step = 1; step <= 20; ++step) {
-    QTest::mouseMove(slider, middle + QPoint(step * slider->width() / 60, 0));
+    drag(slider, middle + QPoint(step * slider->width() / 60, 0));
     QTest::qWait(10);
   }
   QTest::mouseRelease(slider, Qt::LeftButton, {}, middle + QPoint(slider->width() / 3, 0));
@@ -158,8 +171,10 @@ TEST_F(ReviewPanelTest, ValuesAreTypedAndErrorsAreToldThere) {
   type("main_length", "31.3 cm");
   EXPECT_TRUE(eventually([&] { return std::abs(inForce("main_length") - 0.313) < 1e-12; }));
   EXPECT_TRUE(eventually([&] { return std::abs(shape_->cables[0].length - 0.313) < 1e-12; }));
+  QTest::qWait(1000);  // until all answers of that edit are there, each of which would end a message
   type("main_length", "3 kg");
-  EXPECT_TRUE(message().contains("main_length") && message().contains("kg")) << message().toStdString();
+  EXPECT_TRUE(eventually([&] { return message().contains("main_length") && message().contains("kg"); }, 3000))
+      << message().toStdString();
   EXPECT_TRUE(find<MessageLine>("message")->isError());
   type("main_length", "10 mm");  // nothing that could reach: the solver refuses it
   EXPECT_TRUE(eventually([&] { return !message().isEmpty() && !message().contains("kg"); }));
