@@ -98,7 +98,7 @@ std::string curve(const ProfileLine& line, const Scales& scales) {
     points.clear();
   };
   for (std::size_t i = 0; i < line.points.size(); ++i) {
-    const auto& [x, y] = line.points[i];
+    const double x = line.points[i].first, y = line.points[i].second;
     if (!std::isfinite(y) || y < scales.y().low) {
       end();
       continue;
