@@ -3,18 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include <cable_variation/math/round_step.h>
+
 namespace cable_variation_rviz {
 
 namespace {
-
-/// The smallest of 1, 2, 5, 10 times a power of ten that is not below `least`.
-double roundStep(double least) {
-  const double power = std::pow(10.0, std::floor(std::log10(least)));
-  for (const double factor : {1.0, 2.0, 5.0}) {
-    if (factor * power >= least * (1.0 - 1e-9)) return factor * power;
-  }
-  return 10.0 * power;
-}
 
 QString roundLabel(double value, double step) {
   const int decimals = std::max(0, static_cast<int>(-std::floor(std::log10(step) + 1e-9)));
@@ -28,7 +21,7 @@ QString roundLabel(double value, double step) {
 std::vector<Tick> ticks(double minimum, double maximum, int most) {
   std::vector<Tick> result{{minimum, QString::number(minimum, 'g', 4)}};
   if (!(maximum > minimum)) return result;
-  const double step = roundStep((maximum - minimum) / std::max(most, 1));
+  const double step = cable_variation::roundStep((maximum - minimum) / std::max(most, 1));
   // Counted in whole steps: sums of steps would drift.
   const double first = std::floor(minimum / step), last = std::ceil(maximum / step);
   for (double count = first; count <= last; ++count) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <cable_variation/math/round_step.h>
+
 namespace cable_variation {
 
 ChartAxis roundAxis(double low, double high, int count) {
@@ -11,15 +13,7 @@ ChartAxis roundAxis(double low, double high, int count) {
     low -= half;
     high += half;
   }
-  const double wanted = (high - low) / count;
-  const double power = std::pow(10.0, std::floor(std::log10(wanted)));
-  double step = 10.0 * power;
-  for (const double each : {1.0, 2.0, 5.0}) {
-    if (each * power >= wanted * (1.0 - 1e-9)) {
-      step = each * power;
-      break;
-    }
-  }
+  const double step = roundStep((high - low) / count);
   constexpr double kRounding = 1e-9;  // of a step
   const double first = std::floor(low / step + kRounding), last = std::ceil(high / step - kRounding);
   ChartAxis axis{first * step, last * step, {}};
