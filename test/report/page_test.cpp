@@ -14,6 +14,7 @@
 #include <cable_variation/report/chart.h>
 #include <cable_variation/report/markup.h>
 #include <cable_variation/util/output_file.h>
+#include <cable_variation/util/display_unit.h>
 #include <report/well_formed.h>
 
 namespace cable_variation {
@@ -88,14 +89,14 @@ TEST(Figure, IsShortAndTrue) {
   EXPECT_EQ(figure(-12.5), "−12.5");
   EXPECT_EQ(figure(-0.0), "0");
   EXPECT_EQ(figure(kNan), "–");
-  EXPECT_EQ(shownUnit("m").factor * 0.25, 250.0);
-  EXPECT_DOUBLE_EQ(shownUnit("rad").factor * M_PI, 180.0);
-  EXPECT_EQ(shownUnit("rad").name, "deg");  // as the console has them: scripts/solver_client.py
-  EXPECT_EQ(shownUnit("Pa").name, "MPa");
-  EXPECT_DOUBLE_EQ(shownUnit("Pa").factor * 2e7, 20.0);
-  EXPECT_EQ(shownUnit("1").name, "%");
-  EXPECT_DOUBLE_EQ(shownUnit("1").factor * 0.15, 15.0);
-  EXPECT_EQ(shownUnit("N m").name, "N m");
+  EXPECT_EQ(displayUnit("m").factor * 0.25, 250.0);
+  EXPECT_DOUBLE_EQ(displayUnit("rad").factor * M_PI, 180.0);
+  EXPECT_EQ(displayUnit("rad").symbol, "deg");  // as the console has them: scripts/solver_client.py
+  EXPECT_EQ(displayUnit("Pa").symbol, "MPa");
+  EXPECT_DOUBLE_EQ(displayUnit("Pa").factor * 2e7, 20.0);
+  EXPECT_EQ(displayUnit("1").symbol, "%");
+  EXPECT_DOUBLE_EQ(displayUnit("1").factor * 0.15, 15.0);
+  EXPECT_EQ(displayUnit("N m").symbol, "N m");
 }
 
 TEST(BarChart, IsToScale) {

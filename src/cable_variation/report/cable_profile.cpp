@@ -6,6 +6,7 @@
 #include <cable_variation/measures/section_loads.h>
 #include <cable_variation/report/markup.h>
 #include <cable_variation/report/profile_chart.h>
+#include <cable_variation/util/display_unit.h>
 
 namespace cable_variation {
 
@@ -19,7 +20,7 @@ constexpr double kRadii =
 constexpr const char* kFirst = "stroke:var(--line-1)";
 constexpr const char* kSecond = "stroke:var(--line-2)";
 
-double inMillimetres(double metres) { return shownUnit("m").factor * metres; }
+double inMillimetres(double metres) { return displayUnit("m").factor * metres; }
 
 ProfileLine lineOf(const std::vector<ProfilePoint>& profile, const std::string& label, const char* style,
                    double (*value)(const ProfilePoint&)) {

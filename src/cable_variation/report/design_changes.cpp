@@ -3,6 +3,7 @@
 #include <variant>
 
 #include <cable_variation/report/markup.h>
+#include <cable_variation/util/display_unit.h>
 
 namespace cable_variation {
 
@@ -10,9 +11,9 @@ namespace {
 
 std::string changed(double before, double after, const std::string& si_unit) {
   constexpr int kDigits = 6;
-  const ShownUnit unit = shownUnit(si_unit);
+  const DisplayUnit unit = displayUnit(si_unit);
   return figure(unit.factor * before, kDigits) + " → " + figure(unit.factor * after, kDigits) + " " +
-         unit.name;
+         unit.symbol;
 }
 
 /// Told of the cable or the clip itself.
@@ -42,11 +43,12 @@ std::vector<std::string> designChanges(const Scene& loaded, const Scene& edited)
     const Pose moved = loaded.clip_mounts[i].pose.inverse() * edited.clip_mounts[i].pose;
     constexpr double kRounding = 1e-12;
     if (moved.position.norm() > kRounding) {
-      changes.push_back(clip + " moved by " + figure(shownUnit("m").factor * moved.position.norm()) + " mm");
+      changes.push_back(clip + " moved by " + figure(displayUnit("m").factor * moved.position.norm()) +
+                        " mm");
     }
     const double turn = Eigen::AngleAxisd(moved.orientation).angle();
     if (moved.orientation.vec().norm() > kRounding) {
-      changes.push_back(clip + " turned by " + figure(shownUnit("rad").factor * turn) + " deg");
+      changes.push_back(clip + " turned by " + figure(displayUnit("rad").factor * turn) + " deg");
     }
   }
   for (std::size_t i = 0; i < edited.design_variables.size(); ++i) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <cable_variation/report/markup.h>
+#include <cable_variation/util/display_unit.h>
 
 namespace cable_variation {
 
@@ -16,10 +17,10 @@ std::string deviationText(const Scene& scene, const std::vector<std::size_t>& va
     const double deviation = deviations[static_cast<Eigen::Index>(j)];
     const double limit = deviation > 0.0 ? variable.upper : -variable.lower;
     if (!(limit > 0.0 && std::abs(deviation) > kLeast * limit)) continue;
-    const ShownUnit unit = shownUnit(variable.unit);
+    const DisplayUnit unit = displayUnit(variable.unit);
     shares.emplace_back(std::abs(deviation) / limit, variable.name + " " + (deviation > 0.0 ? "+" : "") +
                                                          figure(unit.factor * deviation, 3) +
-                                                         (unit.name.empty() ? "" : " " + unit.name));
+                                                         (unit.symbol.empty() ? "" : " " + unit.symbol));
   }
   std::stable_sort(shares.begin(), shares.end(),
                    [](const auto& a, const auto& b) { return a.first > b.first; });

@@ -75,12 +75,4 @@ std::string rejectText(double share) {
   return share > 0.0 && share < kSmall ? percent(share) + " (" + ppm + ")" : percent(share);
 }
 
-ShownUnit shownUnit(const std::string& si_unit) {
-  if (si_unit == "m") return {"mm", 1e3};
-  if (si_unit == "rad") return {"deg", 180.0 / M_PI};
-  if (si_unit == "Pa") return {"MPa", 1e-6};
-  if (si_unit == "1") return {"%", 1e2};
-  return {si_unit, 1.0};
-}
-
 }  // namespace cable_variation

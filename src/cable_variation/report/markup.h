@@ -20,12 +20,4 @@ std::string percent(double share);  ///< to three figures
 /// alone. Of one that never comes the digits would mean nothing.
 std::string rejectText(double share);
 
-/// The unit in which a person reads a quantity, as the console has it: mm for m, deg for rad, MPa for Pa, %
-/// for what has none, others as they are.
-struct ShownUnit {
-  std::string name;
-  double factor = 1.0;  ///< shown = factor × SI
-};
-ShownUnit shownUnit(const std::string& si_unit);
-
 }  // namespace cable_variation

@@ -9,6 +9,7 @@
 #include <cable_variation/report/stability_section.h>
 #include <cable_variation/report/summary_section.h>
 #include <cable_variation/util/version.h>
+#include <cable_variation/util/display_unit.h>
 
 namespace cable_variation {
 
@@ -21,8 +22,8 @@ std::string designText(const Review& review) {
   for (const auto& [name, value] : review.values) {
     for (const DesignVariable& variable : review.scene.design_variables) {
       if (variable.name != name || value == variable.nominal) continue;
-      const ShownUnit unit = shownUnit(variable.unit);
-      text += (text.empty() ? "" : ", ") + name + " = " + figure(unit.factor * value, 6) + " " + unit.name;
+      const DisplayUnit unit = displayUnit(variable.unit);
+      text += (text.empty() ? "" : ", ") + name + " = " + figure(unit.factor * value, 6) + " " + unit.symbol;
     }
   }
   return text.empty() ? "nominal" : text;

@@ -9,6 +9,7 @@
 #include <cable_variation/report/histogram_chart.h>
 #include <cable_variation/report/markup.h>
 #include <cable_variation/report/simulation_tables.h>
+#include <cable_variation/util/display_unit.h>
 
 namespace cable_variation {
 
@@ -45,7 +46,7 @@ void addOutcome(const Scene& scene, const SimulationStatistics& statistics, cons
 }
 
 std::string histogramOf(const Measure& measure, const MeasureStatistics& s, double nominal) {
-  const double factor = shownUnit(measure.unit).factor;
+  const double factor = displayUnit(measure.unit).factor;
   Histogram histogram = s.histogram;
   histogram.low *= factor;
   histogram.width *= factor;
@@ -86,7 +87,7 @@ void addCharts(const Scene& scene, const SimulationStatistics& statistics, Repor
   for (std::size_t i = 0; i < statistics.measures.size(); ++i) {
     const Measure& measure = scene.measures[statistics.measures[i]];
     const MeasureStatistics& s = statistics.statistics[i];
-    const std::string unit = shownUnit(measure.unit).name;
+    const std::string unit = displayUnit(measure.unit).symbol;
     section.chart(histogramOf(measure, s, statistics.nominal[i]),
                   measure.name + (unit.empty() ? "" : " [" + unit + "]"));
     const auto row = static_cast<Eigen::Index>(i);

@@ -5,6 +5,7 @@
 
 #include <cable_variation/report/markup.h>
 #include <cable_variation/report/stability_tables.h>
+#include <cable_variation/util/display_unit.h>
 
 namespace cable_variation {
 
@@ -57,7 +58,7 @@ ReportTable meanTable(const Scene& scene, const SimulationStatistics& statistics
   for (std::size_t i = 0; i < statistics.measures.size(); ++i) {
     const Measure& measure = scene.measures[statistics.measures[i]];
     const MeasureStatistics& s = statistics.statistics[i];
-    const ShownUnit unit = shownUnit(measure.unit);
+    const DisplayUnit unit = displayUnit(measure.unit);
     const MeasureStatistics::Estimate mean = s.bestMean(), sigma = s.bestSigma();
     const auto cell = [&](double value) {
       return ReportCell{figure(unit.factor * value), 0.0, beyondLimits(measure, value)};
@@ -72,7 +73,7 @@ ReportTable meanTable(const Scene& scene, const SimulationStatistics& statistics
                           cell(s.max),
                           plain(figure(inThousandths(s.skewness), 3)),
                           plain(figure(inThousandths(s.kurtosis), 3)),
-                          plain(unit.name),
+                          plain(unit.symbol),
                           plain(std::to_string(s.count)),
                           {std::to_string(s.missing), 0.0, s.missing > 0},
                           plain(std::to_string(s.infinite))});
@@ -91,11 +92,11 @@ ReportTable capabilityTable(const Scene& scene, const SimulationStatistics& stat
     const MeasureStatistics& s = statistics.statistics[i];
     if (!s.capability) continue;
     const Measure& measure = scene.measures[statistics.measures[i]];
-    const ShownUnit unit = shownUnit(measure.unit);
+    const DisplayUnit unit = displayUnit(measure.unit);
     const Capability& c = *s.capability;
     table.rows.push_back(
         {plain(measure.name), optional(measure.lower, unit.factor), optional(measure.upper, unit.factor),
-         plain(unit.name), c.cp ? index(*c.cp) : plain(""), index(c.cpk),
+         plain(unit.symbol), c.cp ? index(*c.cp) : plain(""), index(c.cpk),
          plain(between(c.cpk_interval, 1.0, 3)), c.cpk_quantile ? index(*c.cpk_quantile) : plain(""),
          plain(rejectText(c.below + c.above)), plain(between(c.outside_interval, 100.0, 3) + " %"),
          plain(rejectText(c.outside_at_worst)), plain(rejectText(c.below_normal + c.above_normal))});
@@ -113,12 +114,12 @@ ReportTable percentileTable(const Scene& scene, const SimulationStatistics& stat
       }
       table.columns.insert(table.columns.end(), {"unit", "known to"});
     }
-    const ShownUnit unit = shownUnit(scene.measures[statistics.measures[i]].unit);
+    const DisplayUnit unit = displayUnit(scene.measures[statistics.measures[i]].unit);
     std::vector<ReportCell> row{plain(scene.measures[statistics.measures[i]].name)};
     for (const Percentile& percentile : s.percentiles) {
       row.push_back(plain(figure(unit.factor * percentile.value)));
     }
-    row.push_back(plain(unit.name));
+    row.push_back(plain(unit.symbol));
     row.push_back(plain(s.percentile_error > 0.0 ? figure(unit.factor * s.percentile_error, 2) : "exact"));
     table.rows.push_back(row);
   }
@@ -136,7 +137,7 @@ ReportTable controlTable(const Scene& scene, const SimulationStatistics& statist
       {}};
   for (std::size_t i = 0; i < statistics.measures.size(); ++i) {
     const MeasureStatistics& s = statistics.statistics[i];
-    const ShownUnit unit = shownUnit(scene.measures[statistics.measures[i]].unit);
+    const DisplayUnit unit = displayUnit(scene.measures[statistics.measures[i]].unit);
     std::vector<ReportCell> row{plain(scene.measures[statistics.measures[i]].name),
                                 plain(figure(unit.factor * s.mean)), plain(figure(unit.factor * s.sigma))};
     if (s.controlled) {
@@ -144,11 +145,11 @@ ReportTable controlTable(const Scene& scene, const SimulationStatistics& statist
       row.insert(row.end(),
                  {plain(figure(unit.factor * c.mean)), plain(between(c.mean_interval, unit.factor)),
                   plain(gain(c.mean_gain)), plain(figure(unit.factor * c.sigma)),
-                  plain(between(c.sigma_interval, unit.factor)), plain(gain(c.sigma_gain)), plain(unit.name),
-                  plain("")});
+                  plain(between(c.sigma_interval, unit.factor)), plain(gain(c.sigma_gain)),
+                  plain(unit.symbol), plain("")});
     } else {
       row.insert(row.end(), 6, plain(""));
-      row.push_back(plain(unit.name));
+      row.push_back(plain(unit.symbol));
       row.push_back(plain(s.no_control));
     }
     table.rows.push_back(row);
@@ -175,9 +176,9 @@ ReportTable listedTable(const Scene& scene, const SimulationStatistics& statisti
                         const DesignValues& values, std::size_t most) {
   ReportTable table{"", {"sample", "outcome"}, {}};
   for (const std::size_t j : statistics.variables) {
-    const ShownUnit unit = shownUnit(scene.design_variables[j].unit);
+    const DisplayUnit unit = displayUnit(scene.design_variables[j].unit);
     table.columns.push_back(scene.design_variables[j].name +
-                            (unit.name.empty() ? "" : "\n[" + unit.name + "]"));
+                            (unit.symbol.empty() ? "" : "\n[" + unit.symbol + "]"));
   }
   for (std::size_t k = 0; k < std::min(most, statistics.listed.size()); ++k) {
     const ListedSample& sample = statistics.listed[k];
@@ -185,7 +186,7 @@ ReportTable listedTable(const Scene& scene, const SimulationStatistics& statisti
     for (std::size_t j = 0; j < statistics.variables.size(); ++j) {
       const DesignVariable& variable = scene.design_variables[statistics.variables[j]];
       const double value = nominalValue(variable, values) + sample.deviations[j];
-      row.push_back(plain(figure(shownUnit(variable.unit).factor * value)));
+      row.push_back(plain(figure(displayUnit(variable.unit).factor * value)));
     }
     table.rows.push_back(row);
   }

@@ -7,6 +7,7 @@
 #include <cable_variation/report/chart.h>
 #include <cable_variation/report/markup.h>
 #include <cable_variation/report/stability_tables.h>
+#include <cable_variation/util/display_unit.h>
 
 namespace cable_variation {
 
@@ -55,9 +56,9 @@ void addContributions(const Scene& scene, const StabilityAnalysis& analysis, Rep
       bars.push_back(
           {std::to_string(order.size() - kMostBars) + " others", std::max(rest, 0.0), percent(rest)});
     }
-    const ShownUnit unit = shownUnit(measure.unit);
+    const DisplayUnit unit = displayUnit(measure.unit);
     section.chart(barChart(bars),
-                  measure.name + ", σ = " + figure(unit.factor * analysis.sigma[row]) + " " + unit.name);
+                  measure.name + ", σ = " + figure(unit.factor * analysis.sigma[row]) + " " + unit.symbol);
   }
 }
 
@@ -70,7 +71,7 @@ void addLowHigh(const Scene& scene, const StabilityAnalysis& analysis, ReportSec
       "snap lies on the way, it is told above, and the end of the line is of another equilibrium.");
   for (std::size_t i = 0; i < analysis.measures.size(); ++i) {
     const Measure& measure = scene.measures[analysis.measures[i]];
-    const ShownUnit unit = shownUnit(measure.unit);
+    const DisplayUnit unit = displayUnit(measure.unit);
     const double nominal = analysis.values[i].value;
     if (!std::isfinite(nominal)) {
       section.paragraph(measure.name + ": no lines, for " + analysis.whyUndefined(i) + ".");
@@ -96,7 +97,7 @@ void addLowHigh(const Scene& scene, const StabilityAnalysis& analysis, ReportSec
       return limit ? std::optional<double>(unit.factor * *limit) : std::nullopt;
     };
     section.chart(lowHighChart(unit.factor * nominal, lines, shown(measure.lower), shown(measure.upper)),
-                  measure.name + (unit.name.empty() ? "" : " [" + unit.name + "]"));
+                  measure.name + (unit.symbol.empty() ? "" : " [" + unit.symbol + "]"));
   }
 }
 

@@ -1,4 +1,5 @@
 #include <cable_variation/report/stability_tables.h>
+#include <cable_variation/util/display_unit.h>
 
 #include <cmath>
 
@@ -6,15 +7,15 @@ namespace cable_variation {
 
 namespace {
 
-ReportCell limit(const std::optional<double>& value, const ShownUnit& unit) {
+ReportCell limit(const std::optional<double>& value, const DisplayUnit& unit) {
   return {value ? figure(unit.factor * *value) : "", 0.0, false};
 }
 
-std::string unitsOf(const ShownUnit& measure, const ShownUnit& variable) {
-  const bool is_ratio = measure.name.find('/') != std::string::npos;
-  const bool is_product = variable.name.find(' ') != std::string::npos;
-  return (is_ratio ? "(" + measure.name + ")" : measure.name) + "/" +
-         (is_product ? "(" + variable.name + ")" : variable.name);
+std::string unitsOf(const DisplayUnit& measure, const DisplayUnit& variable) {
+  const bool is_ratio = measure.symbol.find('/') != std::string::npos;
+  const bool is_product = variable.symbol.find(' ') != std::string::npos;
+  return (is_ratio ? "(" + measure.symbol + ")" : measure.symbol) + "/" +
+         (is_product ? "(" + variable.symbol + ")" : variable.symbol);
 }
 
 }  // namespace
@@ -31,7 +32,7 @@ ReportTable measureTable(const Scene& scene, const StabilityAnalysis& analysis) 
   for (std::size_t i = 0; i < analysis.measures.size(); ++i) {
     const Measure& measure = scene.measures[analysis.measures[i]];
     const MeasureValue& value = analysis.values[i];
-    const ShownUnit unit = shownUnit(measure.unit);
+    const DisplayUnit unit = displayUnit(measure.unit);
     std::string note = value.note;
     if (!analysis.whyUndefined(i).empty())
       note += std::string(note.empty() ? "" : "; ") + "derivatives not defined: " + analysis.whyUndefined(i);
@@ -41,7 +42,7 @@ ReportTable measureTable(const Scene& scene, const StabilityAnalysis& analysis) 
                           {figure(unit.factor * value.value), 0.0, beyondLimits(measure, value.value)},
                           limit(measure.lower, unit),
                           limit(measure.upper, unit),
-                          {unit.name, 0.0, false},
+                          {unit.symbol, 0.0, false},
                           {note, 0.0, false}});
   }
   return table;
@@ -54,14 +55,14 @@ ReportTable spreadTable(const Scene& scene, const StabilityAnalysis& analysis) {
       {}};
   for (std::size_t i = 0; i < analysis.measures.size(); ++i) {
     const Measure& measure = scene.measures[analysis.measures[i]];
-    const ShownUnit unit = shownUnit(measure.unit);
+    const DisplayUnit unit = displayUnit(measure.unit);
     const auto row = static_cast<Eigen::Index>(i);
     const double nominal = analysis.values[i].value, sigma = analysis.sigma[row];
     const double mean = nominal + analysis.mean_shift[row];
     if (!analysis.whyUndefined(i).empty()) {
       table.rows.push_back({{measure.name, 0.0, false}});
       table.rows.back().resize(table.columns.size(), {"not defined", 0.0, false});
-      table.rows.back().back() = {unit.name, 0.0, false};
+      table.rows.back().back() = {unit.symbol, 0.0, false};
       continue;
     }
     const auto cell = [&](double value) {
@@ -74,7 +75,7 @@ ReportTable spreadTable(const Scene& scene, const StabilityAnalysis& analysis) {
                           cell(mean + 3.0 * sigma),
                           cell(nominal + analysis.worst_low[row]),
                           cell(nominal + analysis.worst_high[row]),
-                          {unit.name, 0.0, false}});
+                          {unit.symbol, 0.0, false}});
   }
   return table;
 }
@@ -88,10 +89,10 @@ ReportTable sensitivityTable(const Scene& scene, const StabilityAnalysis& analys
   }
   for (std::size_t j = 0; j < analysis.variables.size(); ++j) {
     const DesignVariable& variable = scene.design_variables[analysis.variables[j]];
-    const ShownUnit by = shownUnit(variable.unit);
+    const DisplayUnit by = displayUnit(variable.unit);
     std::vector<ReportCell> row{{variable.name, 0.0, false}};
     for (std::size_t i = 0; i < analysis.measures.size(); ++i) {
-      const ShownUnit unit = shownUnit(scene.measures[analysis.measures[i]].unit);
+      const DisplayUnit unit = displayUnit(scene.measures[analysis.measures[i]].unit);
       const auto r = static_cast<Eigen::Index>(i), c = static_cast<Eigen::Index>(j);
       const std::string units = unitsOf(unit, by);
       if (!analysis.whyUndefined(i).empty()) {
@@ -116,14 +117,14 @@ ReportTable variableTable(const Scene& scene, const StabilityAnalysis& analysis,
   }
   for (std::size_t j = 0; j < analysis.variables.size(); ++j) {
     const DesignVariable& variable = scene.design_variables[analysis.variables[j]];
-    const ShownUnit unit = shownUnit(variable.unit);
+    const DisplayUnit unit = displayUnit(variable.unit);
     const auto cell = [&](double value) { return ReportCell{figure(unit.factor * value), 0.0, false}; };
     table.rows.push_back({{variable.name, 0.0, false},
                           cell(nominalValue(variable, values)),
                           cell(variable.lower),
                           cell(variable.upper),
                           cell(analysis.variable_sigma[static_cast<Eigen::Index>(j)]),
-                          {unit.name, 0.0, false},
+                          {unit.symbol, 0.0, false},
                           {variable.distribution, 0.0, false}});
     if (re_solved) {
       for (const double value : {analysis.eigenvalue_low[j], analysis.eigenvalue_high[j]}) {

@@ -6,6 +6,7 @@
 #include <cable_variation/report/markup.h>
 #include <cable_variation/report/stability_tables.h>
 #include <cable_variation/tolerances/tolerances.h>
+#include <cable_variation/util/display_unit.h>
 
 namespace cable_variation {
 
@@ -78,10 +79,10 @@ std::string distributionText(const DesignVariable& variable) {
   std::string text = variable.distribution;
   for (const auto& [key, value] : variable.distribution_parameters) {
     const bool is_quantity = key == "mode" || key == "scale";
-    const ShownUnit unit = is_quantity ? shownUnit(variable.unit) : ShownUnit();
-    text += key == "sigma"
-                ? ", limits at " + figure(value) + " σ"
-                : ", " + key + " " + figure(unit.factor * value) + (unit.name.empty() ? "" : " " + unit.name);
+    const DisplayUnit unit = is_quantity ? displayUnit(variable.unit) : DisplayUnit();
+    text += key == "sigma" ? ", limits at " + figure(value) + " σ"
+                           : ", " + key + " " + figure(unit.factor * value) +
+                                 (unit.symbol.empty() ? "" : " " + unit.symbol);
   }
   if (!variable.distribution_values.empty()) {
     text += ", " + std::to_string(variable.distribution_values.size()) + " values";
@@ -95,13 +96,13 @@ ReportTable toleranceTable(const Scene& scene, const std::vector<std::size_t>& v
   const Spread spread = spreadOf(scene, variables);
   for (std::size_t j = 0; j < variables.size(); ++j) {
     const DesignVariable& variable = scene.design_variables[variables[j]];
-    const ShownUnit unit = shownUnit(variable.unit);
+    const DisplayUnit unit = displayUnit(variable.unit);
     const auto k = static_cast<Eigen::Index>(j);
     ReportCell nominal = plain(figure(unit.factor * nominalValue(variable, values), 5));
     if (nominalValue(variable, values) != variable.nominal)
       nominal.text += " (scene: " + figure(unit.factor * variable.nominal, 5) + ")";
     table.rows.push_back({plain(variable.name), nominal, plain(toleranceText(variable, unit.factor)),
-                          plain(figure(unit.factor * std::sqrt(spread.covariance(k, k)))), plain(unit.name),
+                          plain(figure(unit.factor * std::sqrt(spread.covariance(k, k)))), plain(unit.symbol),
                           plain(distributionText(variable)), plain(targetText(scene, variable.target))});
   }
   return table;
@@ -121,9 +122,9 @@ std::vector<std::string> toleranceNotes(const Scene& scene, const std::vector<st
     const char* const shape = region.shape == ToleranceRegion::Shape::ball   ? "ball"
                               : region.shape == ToleranceRegion::Shape::disc ? "disc"
                                                                              : "cone";
-    const ShownUnit unit = shownUnit(region.shape == ToleranceRegion::Shape::cone ? "rad" : "m");
+    const DisplayUnit unit = displayUnit(region.shape == ToleranceRegion::Shape::cone ? "rad" : "m");
     notes.push_back(region.name + ": " + names + " stay together within a " + shape + " of " +
-                    figure(unit.factor * region.radius) + " " + unit.name + ".");
+                    figure(unit.factor * region.radius) + " " + unit.symbol + ".");
   }
   for (const Correlation& each : scene.correlations) {
     if (!has(each.first) || !has(each.second)) continue;

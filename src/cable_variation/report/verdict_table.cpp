@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <cable_variation/report/markup.h>
+#include <cable_variation/util/display_unit.h>
 
 namespace cable_variation {
 
@@ -67,10 +68,10 @@ ReportTable verdictTable(const Scene& scene, const std::vector<MeasureVerdict>& 
   if (outside) table.columns.emplace_back("outside");
   for (const MeasureVerdict& each : verdicts) {
     const Measure& measure = scene.measures[each.measure];
-    const ShownUnit unit = shownUnit(measure.unit);
+    const DisplayUnit unit = displayUnit(measure.unit);
     std::vector<ReportCell> row{plain(measure.name),
                                 verdictCell(each.verdict),
-                                plain(unit.name),
+                                plain(unit.symbol),
                                 {figure(unit.factor * each.value), 0.0, beyondLimits(measure, each.value)},
                                 plain(limitText(measure, unit.factor))};
     if (cpk) row.push_back({std::isnan(each.cpk) ? "" : figure(each.cpk, 3), 0.0, each.cpk < 1.0});

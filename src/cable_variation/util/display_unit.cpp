@@ -9,17 +9,17 @@
 namespace cable_variation {
 
 DisplayUnit displayUnit(const std::string& si_unit) {
-  if (si_unit == "m") return {"mm", 1e-3};
-  if (si_unit == "rad") return {"deg", M_PI / 180.0};
-  if (si_unit == "Pa") return {"MPa", 1e6};
-  if (si_unit == "1") return {"%", 1e-2};
+  if (si_unit == "m") return {"mm", 1e3};
+  if (si_unit == "rad") return {"deg", 180.0 / M_PI};
+  if (si_unit == "Pa") return {"MPa", 1e-6};
+  if (si_unit == "1") return {"%", 1e2};
   return {si_unit, 1.0};
 }
 
 std::string displayNumber(double value, const std::string& si_unit, int digits) {
   if (std::isnan(value)) return "-";
   if (std::isinf(value)) return value > 0.0 ? "infinite" : "-infinite";
-  const double shown = value / displayUnit(si_unit).size;
+  const double shown = displayUnit(si_unit).factor * value;
   return shown == 0.0 ? "0" : numberText(shown, digits);
 }
 
@@ -34,7 +34,7 @@ double parseDisplayed(const std::string& text, const std::string& si_unit) {
   const Dimension dimension = si_unit == "1" ? Dimension() : parseUnit(si_unit).dimension;
   const Quantity quantity{"a value", si_unit.c_str(), example.c_str(), dimension};
   const QuantityText read = readQuantity(text, quantity);
-  return read.has_unit ? read.value : read.value * shown.size;
+  return read.has_unit ? read.value : read.value / shown.factor;
 }
 
 }  // namespace cable_variation

@@ -6,8 +6,8 @@ namespace cable_variation {
 
 /// A unit that people read values in.
 struct DisplayUnit {
-  std::string symbol;  ///< "mm"
-  double size = 1.0;   ///< one of it in the SI unit: 0.001
+  std::string symbol;   ///< "mm"
+  double factor = 1.0;  ///< shown = factor × SI
 };
 
 /// What people read instead of an SI unit: mm for m, deg for rad, MPa for Pa, % for 1; else the unit itself.

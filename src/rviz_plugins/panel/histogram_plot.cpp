@@ -62,7 +62,7 @@ void HistogramPlot::paintEvent(QPaintEvent*) {
     painter.drawText(plot, Qt::AlignCenter, "too few different values");
     return;
   }
-  const double size = displayUnit(statistics_.unit).size;
+  const double factor = displayUnit(statistics_.unit).factor;
   double low = statistics_.histogram_low;
   double high = low + statistics_.histogram_width * static_cast<double>(counts.size());
   // A limit is on the plot if that leaves at least a third of its width to the bars.
@@ -101,8 +101,8 @@ void HistogramPlot::paintEvent(QPaintEvent*) {
 
   painter.setPen(Qt::black);
   double free_from = plot.left() - margin;
-  for (const Tick& tick : ticks((low + room) / size, (high - room) / size, 4)) {
-    const double at = x(tick.value * size), wide = fontMetrics().horizontalAdvance(tick.label);
+  for (const Tick& tick : ticks(factor * (low + room), factor * (high - room), 4)) {
+    const double at = x(tick.value / factor), wide = fontMetrics().horizontalAdvance(tick.label);
     const double left = std::clamp(at - 0.5 * wide, plot.left() - margin, plot.right() + margin - wide);
     if (left < free_from) continue;
     painter.drawText(QPointF(left, plot.bottom() + line), tick.label);
