@@ -7,6 +7,7 @@
 #include <cable_variation/report/markup.h>
 #include <cable_variation/report/svg.h>
 #include <cable_variation/util/base64.h>
+#include <cable_variation/util/utf8.h>
 
 namespace cable_variation {
 
@@ -29,8 +30,9 @@ struct Box {
 
 /// UTF-8 letters.
 std::size_t letters(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(
-      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+  std::size_t count = 0;
+  for (std::size_t at = 0; at < text.size(); ++at) count += continuesUtf8(text, at) ? 0 : 1;
+  return count;
 }
 
 std::string styled(double x, double y, const char* anchor, const std::string& style,
