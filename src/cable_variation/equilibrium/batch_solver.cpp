@@ -15,7 +15,8 @@
 namespace cable_variation {
 namespace {
 
-// Steps within which Newton's method is trusted, over the longest cable and in radians; as minimise().
+// Steps within which Newton's method is trusted, over the longest cable and in radians. Wider than
+// DescentOptions has them: no damping follows, and what then goes astray is told by where it arrives.
 constexpr double kLargestDisplacement = 0.25;
 constexpr double kLargestRotation = 0.7;
 // A harness whose last step with a Hessian of its own was larger is not near enough for steps with that one.
