@@ -82,12 +82,12 @@ bool EnvelopeRun::show(const SolverContext& context) { return publisher_.show(st
 
 EnvelopeRun::Result EnvelopeRun::solve(RunControl& control) {
   const std::function<void()> check = [&control] { control.throwIfCancelled(); };
-  const EquilibriumSolver solver = solverAt(snapshot_, task_.options, task_.other_design);
+  Result result{solverAt(snapshot_, task_.options, task_.other_design), {}, {}, {}};
+  const EquilibriumSolver& solver = result.solver;
   cable_variation::ClearanceOptions clearance_options;
   clearance_options.skip_near_clips = task_.skip_near_clips;
   clearance_options.check = check;
   cable_variation::ClosestSolved closest(scene(), task_.options, snapshot_.parts, solver, clearance_options);
-  Result result;
   result.envelope =
       generateEnvelope(scene(), task_.options, solver, control.observer(kEnvelopeShare), closest.witness());
 
@@ -152,7 +152,7 @@ void EnvelopeRun::write(const Result& result, RunControl& control) {
   control.report({"files", kSurfaceShare, result.envelope.solves});
   const OuterSurface& surface = result.surfaces.whole;
   const std::string report = envelopeReport(
-      task_, snapshot_, solverAt(snapshot_, task_.options, task_.other_design),
+      task_, snapshot_, result.solver,
       {task_.options, result.envelope, result.clearances, surface.mesh, surface.excess, response_.volume},
       response_.warnings);
   EnvelopeFiles files = envelopeFiles(limits_.output, task_.name, scene(), result.envelope, surface, report);

@@ -35,6 +35,7 @@ class EnvelopeRun : public LongRun {
 
  private:
   struct Result {
+    cable_variation::EquilibriumSolver solver;  ///< the design's shape to follow
     cable_variation::Envelope envelope;
     std::vector<cable_variation::EnvelopeClearance> clearances;
     EnvelopeSurfaces surfaces;
