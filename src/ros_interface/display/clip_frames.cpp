@@ -13,6 +13,8 @@ namespace cable_variation_ros {
 using cable_variation::Pose;
 
 void ClipFrames::publish(const SolverContext& context) {
+  if (design_number_ == context.designNumber()) return;
+  design_number_ = context.designNumber();
   const cable_variation::Scene& scene = context.design().scene;
   std::vector<geometry_msgs::TransformStamped> changed;
   for (std::size_t i = 0; i < scene.clip_mounts.size(); ++i) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -21,6 +22,7 @@ class ClipFrames {
 
  private:
   tf2_ros::StaticTransformBroadcaster broadcaster_;
+  std::optional<std::size_t> design_number_;                                   // that was published
   std::map<std::string, std::pair<std::string, cable_variation::Pose>> sent_;  // parent and pose, by frame
 };
 

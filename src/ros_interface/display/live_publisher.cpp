@@ -63,6 +63,8 @@ LivePublisher::LivePublisher(const ros::NodeHandle& node, bool each_measure)
       reactions_(node_.advertise<ClipReactions>(kReactionsTopic, 1, kLatched)) {}
 
 void LivePublisher::advertise(const SolverContext& context) {
+  if (design_number_ == context.designNumber()) return;
+  design_number_ = context.designNumber();
   const std::vector<cable_variation::Clip>& all = context.harness().clips;
   mounted_.clear();
   std::vector<std::string> clips;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,8 +31,9 @@ class LivePublisher {
   ros::NodeHandle node_;
   bool each_measure_;
   ros::Publisher measures_, reactions_;
-  std::vector<std::string> clips_, values_;  ///< names of those that have topics
-  std::vector<std::size_t> mounted_;         ///< clips of `clips_`, indices
+  std::optional<std::size_t> design_number_;  ///< that the topics are for
+  std::vector<std::string> clips_, values_;   ///< names of those that have topics
+  std::vector<std::size_t> mounted_;          ///< clips of `clips_`, indices
   std::vector<ros::Publisher> reaction_of_clip_, value_of_measure_;
 };
 
