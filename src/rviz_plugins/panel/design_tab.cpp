@@ -12,7 +12,6 @@
 
 #include <cable_variation/AnalyzeStability.h>
 #include <cable_variation/SetDesign.h>
-#include <cable_variation/SolveEquilibrium.h>
 
 #include <rviz_plugins/panel/copyable_table.h>
 #include <rviz_plugins/panel/measure_table_model.h>
@@ -24,7 +23,7 @@ namespace cable_variation_rviz {
 
 namespace {
 
-constexpr int kMeasuresPause = 100;  // between two questions for them [ms]
+constexpr int kMeasuresPause = 100;  // between two sets of them that are shown [ms]
 
 }  // namespace
 
@@ -73,11 +72,11 @@ DesignTab::DesignTab(SolverConnection& solver, QWidget* parent)
           [this](int row) { showEffect(QString::fromStdString(variables_->variable(row).name)); });
   connect(variable_table_, &VariableTable::resetRequested, this, [this](int row) { variables_->reset(row); });
   connect(reset_all_, &QPushButton::clicked, this, &DesignTab::reset);
-  connect(measures_due_, &QTimer::timeout, this, &DesignTab::askMeasures);
-  shapes_ = solver_.hear<cable_variation::CableShapes>(
-      solver_.solver() + "/shapes", [this](const cable_variation::CableShapesConstPtr& shapes) {
-        if (shapes->cables.empty()) measures_->setOutdated(true);
-        if (!shapes->cables.empty() && !measures_due_->isActive()) measures_due_->start();
+  connect(measures_due_, &QTimer::timeout, this, &DesignTab::showMeasures);
+  measures_heard_ = solver_.hear<cable_variation::LiveMeasures>(
+      solver_.solver() + "/measures", [this](const cable_variation::LiveMeasuresConstPtr& measured) {
+        measured_ = measured;
+        if (!measures_due_->isActive()) measures_due_->start();
       });
 }
 
@@ -103,12 +102,11 @@ void DesignTab::edit(int row, double value) {
       solver_.solver() + "/set_design", request, "set_design " + request.variables[0],
       [this, number](const cable_variation::SetDesignResponse& response, const std::string& failure) {
         edits_done_ = std::max(edits_done_, number);
-        if (failure.empty()) {
-          Q_EMIT succeeded();
-          if (!response.warnings.empty()) Q_EMIT failed(QString::fromStdString(response.warnings.front()));
-        } else {
-          Q_EMIT failed(QString::fromStdString(failure));
+        tell(failure);
+        if (!failure.empty()) {
           setState(cable_variation::DesignState(state_));  // back to what is in force
+        } else if (!response.warnings.empty()) {
+          tell(response.warnings.front());
         }
       });
 }
@@ -120,11 +118,7 @@ void DesignTab::reset() {
       [this, number](const std_srvs::TriggerResponse&, const std::string& failure) {
         edits_done_ = std::max(edits_done_, number);
         setState(cable_variation::DesignState(state_));
-        if (failure.empty()) {
-          Q_EMIT succeeded();
-        } else {
-          Q_EMIT failed(QString::fromStdString(failure));
-        }
+        tell(failure);
       });
 }
 
@@ -133,29 +127,26 @@ void DesignTab::showEffect(const QString& variable) {
   request.variables = {variable.toStdString()};
   request.show = request.variables[0];
   request.skip_low_high = true;
-  solver_.ask<cable_variation::AnalyzeStability>(
-      solver_.solver() + "/analyze_stability", request, "show effect",
-      [this](const cable_variation::AnalyzeStabilityResponse&, const std::string& failure) {
-        if (failure.empty()) {
-          Q_EMIT succeeded();
-        } else {
-          Q_EMIT failed(QString::fromStdString(failure));
-        }
-      });
+  solver_.ask<cable_variation::AnalyzeStability>(solver_.solver() + "/analyze_stability", request,
+                                                 "show effect",
+                                                 [this](const cable_variation::AnalyzeStabilityResponse&,
+                                                        const std::string& failure) { tell(failure); });
 }
 
-void DesignTab::askMeasures() {
-  cable_variation::SolveEquilibriumRequest request;
-  request.follow = true;
-  solver_.ask<cable_variation::SolveEquilibrium>(
-      solver_.solver() + "/solve_equilibrium", request, "measures",
-      [this](const cable_variation::SolveEquilibriumResponse& response, const std::string& failure) {
-        if (failure.empty()) {
-          measures_->setMeasures(response.measures);
-        } else {
-          measures_->setOutdated(true);
-        }
-      });
+void DesignTab::showMeasures() {
+  if (measured_->status.code == cable_variation::Status::SUCCESS) {
+    measures_->setMeasures(measured_->measures);
+  } else {
+    measures_->setOutdated(true);
+  }
+}
+
+void DesignTab::tell(const std::string& failure) {
+  if (failure.empty()) {
+    Q_EMIT succeeded();
+  } else {
+    Q_EMIT failed(QString::fromStdString(failure));
+  }
 }
 
 }  // namespace cable_variation_rviz

@@ -1,13 +1,13 @@
 #pragma once
 
-#include <memory>
+#include <string>
 
 #include <QWidget>
 
 #ifndef Q_MOC_RUN
-#include <cable_variation/CableShapes.h>
 #include <cable_variation/DesignState.h>
 #include <cable_variation/GetScene.h>
+#include <cable_variation/LiveMeasures.h>
 #include <ros/subscriber.h>
 #endif
 
@@ -43,7 +43,8 @@ class DesignTab : public QWidget {
  private:
   void edit(int row, double value);
   void reset();
-  void askMeasures();
+  void showMeasures();
+  void tell(const std::string& failure);  ///< how a request ended; empty: well
 
   SolverConnection& solver_;
   VariableTableModel* variables_;
@@ -52,10 +53,11 @@ class DesignTab : public QWidget {
   CopyableTable* measure_table_;
   QPushButton* reset_all_;
   QTimer* measures_due_;
-  ros::Subscriber shapes_;
-  cable_variation::DesignState state_;  ///< last one heard
-  std::size_t edits_ = 0;               ///< asked for
-  std::size_t edits_done_ = 0;          ///< the newest answered
+  ros::Subscriber measures_heard_;
+  cable_variation::LiveMeasuresConstPtr measured_;  ///< last ones heard
+  cable_variation::DesignState state_;              ///< last one heard
+  std::size_t edits_ = 0;                           ///< asked for
+  std::size_t edits_done_ = 0;                      ///< the newest answered
 };
 
 }  // namespace cable_variation_rviz
