@@ -3,6 +3,7 @@
 #include <ros/callback_queue.h>
 #include <ros/console.h>
 
+#include <ros_interface/conversion/enum_names.h>
 #include <ros_interface/conversion/scene_loading.h>
 #include <ros_interface/node/names.h>
 
@@ -12,6 +13,14 @@ namespace {
 
 /// A service cannot be cancelled, but the node ends.
 bool whileRosRuns(const cable_variation::Progress& /*progress*/) { return ros::ok(); }
+
+void warnOfDriven(const cable_variation::Scene& scene) {
+  for (const cable_variation::Component& component : scene.components) {
+    if (component.driven_by == cable_variation::ComponentDriver::scene || component.joint) continue;
+    ROS_WARN("component '%s' is driven by %s, which is not followed: ~live is false", component.name.c_str(),
+             nameOf(component.driven_by));
+  }
+}
 
 }  // namespace
 
@@ -56,6 +65,7 @@ CableSolver::CableSolver(ros::NodeHandle node, const CableSolverParameters& para
   ROS_INFO("cable_solver is up with %s: %zu cables, %zu clips, %s", context_.design().scene.source.c_str(),
            context_.harness().cables.size(), context_.harness().clips.size(),
            context_.equilibrium().converged() ? "in equilibrium" : "without an equilibrium");
+  if (!parameters.live) warnOfDriven(context_.design().scene);
   if (parameters.live) {
     const TfFollowerOptions options{parameters.live_rate_hz, parameters.tf_timeout};
     follower_ = std::make_unique<TfFollower>(

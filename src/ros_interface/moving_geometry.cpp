@@ -8,6 +8,7 @@
 #include <ros/console.h>
 
 #include <cable_variation/scene/moving_components.h>
+#include <cable_variation/util/name_list.h>
 #include <ros_interface/conversion/message_conversion.h>
 #include <ros_interface/conversion/scene_loading.h>
 #include <ros_interface/node/names.h>
@@ -16,15 +17,29 @@
 namespace cable_variation_ros {
 
 using cable_variation::Component;
+using cable_variation::ComponentDriver;
 using cable_variation::Motion;
 using cable_variation::Scene;
 
 namespace {
 
 const ros::WallDuration kStatePause(0.05);  // between two messages of the state
+const ros::WallDuration kPatience(5.0);     // with joints that no message tells of
+constexpr int kJointQueue = 100;            // messages
 
+const Component& componentOf(const Scene& scene, const Motion& motion) {
+  return *std::find_if(scene.components.begin(), scene.components.end(),
+                       [&](const Component& component) { return component.name == motion.component; });
+}
+
+// Without the motions of what others drive.
 Scene loadMotions(const std::string& address) {
   Scene scene = loadScene(address);
+  const auto driven = [&](const Motion& motion) {
+    return componentOf(scene, motion).driven_by != ComponentDriver::scene;
+  };
+  scene.motions.erase(std::remove_if(scene.motions.begin(), scene.motions.end(), driven),
+                      scene.motions.end());
   std::map<std::string, std::string> mover;
   for (const Motion& motion : scene.motions) {
     const auto [other, first] = mover.emplace(motion.component, motion.name);
@@ -42,15 +57,11 @@ double longest(const Scene& scene) {
   return duration;
 }
 
-const Component& componentOf(const Scene& scene, const Motion& motion) {
-  return *std::find_if(scene.components.begin(), scene.components.end(),
-                       [&](const Component& component) { return component.name == motion.component; });
-}
-
 }  // namespace
 
 MovingGeometry::MovingGeometry(ros::NodeHandle node, const MovingGeometryParameters& parameters)
-    : parameters_(parameters),
+    : node_(node),
+      parameters_(parameters),
       components_(node),
       state_(node.advertise<cable_variation::MotionState>(kMotionStateTopic, 1, true)),
       play_server_(node.advertiseService(kPlayService, &MovingGeometry::play, this)),
@@ -67,7 +78,8 @@ MovingGeometry::MovingGeometry(ros::NodeHandle node, const MovingGeometryParamet
 
 void MovingGeometry::load(const std::string& address) {
   take(loadMotions(address));
-  ROS_INFO("moving_geometry_node plays %zu motions of %s", scene_->motions.size(), scene_->source.c_str());
+  ROS_INFO("moving_geometry_node plays %zu motions of %s%s", scene_->motions.size(), scene_->source.c_str(),
+           joints_->hasJoints() ? (" and follows " + parameters_.joint_states).c_str() : "");
 }
 
 void MovingGeometry::take(Scene scene) {
@@ -75,12 +87,26 @@ void MovingGeometry::take(Scene scene) {
   player_ = std::make_unique<MotionPlayer>(longest(*scene_), parameters_.speed, parameters_.loop);
   player_->play(!halted_before_);
   halted_before_ = false;
+  joints_ = std::make_unique<JointStateFollower>(*scene_);
+  joint_states_.shutdown();
+  if (joints_->hasJoints()) {
+    joint_states_ =
+        node_.subscribe(parameters_.joint_states, kJointQueue, &MovingGeometry::followJoints, this);
+  }
+  taken_ = ros::WallTime::now();
   const std::set<std::string> moving = movingComponents(*scene_);
-  std::set<std::string> riding = moving;
-  for (const Motion& motion : scene_->motions) riding.erase(motion.component);
+  showStaticFrames(moving);
+  components_.show(scene_, moving);
+  told_at_ = ros::WallTime();
+  publishState();
+}
+
+// Of what rides on something that moves.
+void MovingGeometry::showStaticFrames(const std::set<std::string>& moving) {
   std::vector<geometry_msgs::TransformStamped> transforms;
   for (const Component& component : scene_->components) {
-    if (riding.count(component.name) == 0) continue;
+    if (moving.count(component.name) == 0 || movesItself(*scene_, component)) continue;
+    if (component.driven_by == ComponentDriver::tf) continue;
     transforms.push_back(toTransform(component.pose, component.parent, component.name, ros::Time::now()));
   }
   static_broadcaster_.reset();  // it would go on telling of the frames of the scene before
@@ -88,9 +114,23 @@ void MovingGeometry::take(Scene scene) {
     static_broadcaster_ = std::make_unique<tf2_ros::StaticTransformBroadcaster>();
     static_broadcaster_->sendTransform(transforms);
   }
-  components_.show(scene_, moving);
-  told_at_ = ros::WallTime();
-  publishState();
+}
+
+void MovingGeometry::followJoints(const sensor_msgs::JointState& message) {
+  std::vector<std::string> warnings;
+  const auto transforms = joints_->take(message, ros::Time::now(), warnings);
+  if (!transforms.empty()) broadcaster_.sendTransform(transforms);
+  for (const std::string& warning : warnings)
+    ROS_WARN("%s: %s", parameters_.joint_states.c_str(), warning.c_str());
+}
+
+void MovingGeometry::tellUnheard() {
+  if (taken_.isZero() || ros::WallTime::now() - taken_ < kPatience) return;
+  taken_ = ros::WallTime();
+  const std::vector<std::string> unheard = joints_->unheard();
+  if (unheard.empty()) return;
+  ROS_WARN("%s has not told of %s: they are shown where the scene has them", parameters_.joint_states.c_str(),
+           cable_variation::joined(unheard).c_str());
 }
 
 void MovingGeometry::tick(const ros::TimerEvent&) {
@@ -98,16 +138,17 @@ void MovingGeometry::tick(const ros::TimerEvent&) {
   if (!last_.isZero()) player_->advance((now - last_).toSec());
   last_ = now;
   sendTransforms();
+  tellUnheard();
   publishState();
 }
 
 void MovingGeometry::sendTransforms() {
-  std::vector<geometry_msgs::TransformStamped> transforms;
+  std::vector<geometry_msgs::TransformStamped> transforms = joints_->waiting(last_);
   for (const Motion& motion : scene_->motions) {
     transforms.push_back(toTransform(poseAt(motion, player_->time()), componentOf(*scene_, motion).parent,
                                      motion.component, last_));
   }
-  broadcaster_.sendTransform(transforms);
+  if (!transforms.empty()) broadcaster_.sendTransform(transforms);
 }
 
 void MovingGeometry::publishState() {

@@ -35,6 +35,7 @@ void StaticGeometry::show(std::shared_ptr<const Scene> scene) {
   for (const cable_variation::Component& component : scene->components) {
     if (moving.count(component.name) != 0) continue;
     fixed.insert(component.name);
+    if (component.driven_by == cable_variation::ComponentDriver::tf) continue;
     transforms.push_back(toTransform(component.pose, component.parent, component.name, now));
   }
   // A new one: the old one would go on telling of the frames of the scene before.

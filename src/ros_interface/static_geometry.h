@@ -12,8 +12,8 @@
 namespace cable_variation_ros {
 
 /// The node static_geometry_node: the components that no motion moves, as latched
-/// markers and static transforms. The frame `world` is on tf even if there are none. Shows the
-/// scene of its parameter, and then what ~design tells of.
+/// markers and static transforms; those that tf drives have their frames from whoever does. The frame `world`
+/// is on tf even if there are none. Shows the scene of its parameter, and then what ~design tells of.
 class StaticGeometry {
  public:
   /// Throws what loadScene() throws.

@@ -56,6 +56,39 @@ TEST(MovingComponents, AMotionAloneLeavesTheOthersInTheirPlace) {
   EXPECT_TRUE(poses.at("arm").position.isApprox(Eigen::Vector3d(1.25, 0.0, 0.1), 1e-12));
 }
 
+TEST(MovingComponents, WhatTfDrivesIsMovedByNoMotion) {
+  Scene scene = robot();
+  scene.components[2].driven_by = ComponentDriver::tf;  // the table
+  EXPECT_EQ(movingComponents(scene), (std::set<std::string>{"arm", "finger"}));
+  EXPECT_FALSE(movesItself(scene, scene.components[2]));
+}
+
+TEST(MovingComponents, TheJointsOfARobotMoveItsLinksAndWhatTheyCarry) {
+  const auto link = [](const std::string& name, const std::string& parent, LinkJoint::Type type) {
+    Component component = componentIn(name, parent, {0.1, 0.0, 0.0});
+    component.driven_by = ComponentDriver::joint_states;
+    component.robot = "arm";
+    component.joint.emplace();
+    component.joint->type = type;
+    return component;
+  };
+  Scene scene;
+  scene.components = {componentIn("arm", "world", {0.0, 0.0, 0.0}),
+                      link("arm/foot", "arm", LinkJoint::Type::fixed),
+                      link("arm/upper", "arm", LinkJoint::Type::revolute),
+                      link("arm/hand", "arm/upper", LinkJoint::Type::fixed),
+                      componentIn("plug", "arm/hand", {0.0, 0.0, 0.0}),
+                      componentIn("floor", "world", {0.0, 0.0, 0.0})};
+  scene.components[0].robot = "arm";
+  EXPECT_EQ(movingComponents(scene), (std::set<std::string>{"arm/upper", "arm/hand", "plug"}));
+  EXPECT_EQ(bodiesOf(scene, 0), (std::vector<std::size_t>{0, 1, 2, 3}));
+  EXPECT_EQ(bodiesOf(scene, 2), (std::vector<std::size_t>{2}));
+  EXPECT_EQ(bodiesOf(scene, 4), (std::vector<std::size_t>{4}));
+  EXPECT_TRUE(sameRobot(scene.components[0], scene.components[3]));
+  EXPECT_FALSE(sameRobot(scene.components[4], scene.components[3]));
+  EXPECT_FALSE(sameRobot(scene.components[4], scene.components[5]));
+}
+
 TEST(MovingComponents, AMotionThatIsNotLoadedIsRefused) {
   Scene scene = robot();
   scene.motions[0].samples.clear();

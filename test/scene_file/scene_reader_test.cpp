@@ -52,6 +52,24 @@ TEST(SceneReader, components) {
   ASSERT_EQ(bracket.locators.size(), 6U);
   expectNear(bracket.locators[0].second, {0.0, 0.0, 1.0});
   EXPECT_TRUE(named(everything().components, "engine").visuals.empty());
+  EXPECT_EQ(named(everything().components, "engine").driven_by, ComponentDriver::tf);
+  EXPECT_EQ(bracket.driven_by, ComponentDriver::scene);
+}
+
+TEST(SceneReader, theLinksOfARobotThatJointStatesDriveAreComponents) {
+  const Component& root = named(everything().components, "robot");
+  EXPECT_EQ(root.visuals.size(), 2U);
+  EXPECT_EQ(root.robot, "robot");
+  EXPECT_FALSE(root.joint);
+  const Component& finger = named(everything().components, "robot/finger");
+  EXPECT_EQ(finger.parent, "robot/upper");
+  EXPECT_EQ(finger.robot, "robot");
+  EXPECT_EQ(finger.driven_by, ComponentDriver::joint_states);
+  ASSERT_TRUE(finger.joint);
+  EXPECT_EQ(finger.joint->driver, "grip");
+  ASSERT_EQ(finger.visuals.size(), 1U);
+  expectNear(finger.visuals[0].pose.position, {0.0, 0.0, 0.0});
+  expectNear(componentPose(everything(), "tool").position, {0.0, 0.0, 0.7});  // the shoulder turned by 90 deg
 }
 
 TEST(SceneReader, aPoseIsInItsParent) {

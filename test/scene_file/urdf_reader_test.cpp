@@ -1,5 +1,6 @@
 #include <cable_variation/scene_file/urdf_reader.h>
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <vector>
@@ -78,6 +79,43 @@ TEST(Urdf, jointsAtGivenPositions) {
   expectNear(named(visuals, "upper").pose * Vector3d::UnitX(), {0.0, 0.0, 0.0});
   expectNear(named(visuals, "finger").pose.position, {0.02, 0.0, 0.7});
   expectNear(named(visuals, "thumb").pose.position, {-0.039, 0.0, 0.7});
+}
+
+TEST(Urdf, linksAreWhereTheirJointsPutThem) {
+  constexpr double kTurn = 0.7, kGrip = 0.03;
+  const auto readLinks = [](const std::map<std::string, JointPosition>& positions) {
+    std::vector<std::string> faults, warnings;
+    return readUrdfLinks(findTestPackage("test_data") + "/urdf/arm.urdf", positions, load, faults, warnings);
+  };
+  const auto links = readLinks({});
+  const auto posed = readLinks(
+      {{"shoulder", {kTurn, JointPosition::Unit::radian}}, {"grip", {kGrip, JointPosition::Unit::metre}}});
+  ASSERT_EQ(links.size(), 5U);
+  EXPECT_EQ(links[0].name, "base");
+  EXPECT_FALSE(links[0].joint);
+  std::map<std::string, Pose> poses{{"base", Pose()}};
+  const std::map<std::string, double> positions{{"shoulder", kTurn}, {"grip", kGrip}, {"", 0.0}};
+  for (std::size_t i = 1; i < links.size(); ++i) {
+    ASSERT_TRUE(links[i].joint);
+    // the links that were read with the joints at 0, moved, are those that were read with them moved
+    const Pose pose =
+        poses.at(links[i].parent) * linkPose(*links[i].joint, positions.at(links[i].joint->driver));
+    poses[links[i].name] = pose;
+    expectNear(pose.position, posed[i].pose.position);
+    EXPECT_NEAR(pose.orientation.angularDistance(posed[i].pose.orientation), 0.0, 1e-7);
+  }
+  const auto named = [&](const std::string& name) -> const UrdfLink& {
+    return *std::find_if(links.begin(), links.end(), [&](const UrdfLink& link) { return link.name == name; });
+  };
+  const LinkJoint& thumb = *named("thumb").joint;
+  EXPECT_EQ(thumb.name, "counter_grip");
+  EXPECT_EQ(thumb.driver, "grip");
+  EXPECT_DOUBLE_EQ(thumb.multiplier, -2.0);
+  EXPECT_DOUBLE_EQ(thumb.offset, 0.001);
+  EXPECT_DOUBLE_EQ(thumb.lower, -0.2);
+  EXPECT_EQ(named("frame_only").joint->type, LinkJoint::Type::fixed);
+  EXPECT_EQ(named("finger").joint->type, LinkJoint::Type::prismatic);
+  expectNear(named("finger").joint->axis, Vector3d::UnitZ());
 }
 
 TEST(Urdf, parserMessagesAreFaultsAndNotPrinted) {

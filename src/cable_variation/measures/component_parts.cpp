@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include <cable_variation/scene/moving_components.h>
+
 namespace cable_variation {
 
 TriangleMesh mergedMesh(const Component& component) {
@@ -17,6 +19,24 @@ TriangleMesh mergedMesh(const Component& component) {
       merged.triangles.push_back({corners[0] + first, corners[1] + first, corners[2] + first});
   }
   return merged;
+}
+
+namespace {
+
+bool hasTriangles(const Component& component) {
+  return std::any_of(component.visuals.begin(), component.visuals.end(),
+                     [](const Visual& visual) { return visual.mesh && !visual.mesh->triangles.empty(); });
+}
+
+}  // namespace
+
+std::vector<std::size_t> measuredComponents(const Scene& scene, std::size_t component) {
+  std::vector<std::size_t> bodies = bodiesOf(scene, component);
+  if (bodies.size() == 1) return bodies;
+  bodies.erase(std::remove_if(bodies.begin(), bodies.end(),
+                              [&](std::size_t body) { return !hasTriangles(scene.components[body]); }),
+               bodies.end());
+  return bodies;
 }
 
 // With what it was made from: as long as that is the same it can be used again.
@@ -58,11 +78,7 @@ void ComponentParts::prepare(const Scene& scene, std::size_t component, const Co
 
 void ComponentParts::prepareAll(const Scene& scene, const ComponentParts& known) {
   for (std::size_t i = 0; i < scene.components.size(); ++i) {
-    const auto& visuals = scene.components[i].visuals;
-    if (std::any_of(visuals.begin(), visuals.end(),
-                    [](const Visual& visual) { return visual.mesh && !visual.mesh->triangles.empty(); })) {
-      prepare(scene, i, known);
-    }
+    if (hasTriangles(scene.components[i])) prepare(scene, i, known);
   }
 }
 

@@ -11,6 +11,16 @@ namespace cable_variation {
 /// A component's visuals as one mesh in its frame, one after the other: what distances are measured to.
 TriangleMesh mergedMesh(const Component& component);
 
+/// A component with triangles that a measure looks at.
+struct MeasuredBody {
+  std::size_t component;
+  const DistancePart* part;
+};
+
+/// The components that a distance to `component` is measured to: of a robot's root all its links that have
+/// triangles, else the component alone.
+std::vector<std::size_t> measuredComponents(const Scene& scene, std::size_t component);
+
 /// Components of a scene made ready for distances, which is costly: copies share what is prepared. const
 /// members may be called by several threads.
 class ComponentParts {

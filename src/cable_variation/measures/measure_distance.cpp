@@ -12,6 +12,8 @@
 #include <cable_variation/geometry/tube_distance/part_vicinity.h>
 #include <cable_variation/measures/joint_between.h>
 #include <cable_variation/measures/open_parts.h>
+#include <cable_variation/scene/deviations.h>
+#include <cable_variation/scene/moving_components.h>
 
 namespace cable_variation {
 namespace {
@@ -29,14 +31,22 @@ const Pose& poseOf(const MeasureContext& context, const std::string& component) 
   return pose->second;
 }
 
+// Whether a clip is on a component, of a robot on any of its links.
+bool ridesOn(const Scene& scene, std::size_t clip, const Component& component) {
+  const std::string& mount = scene.clip_mounts[clip].component;
+  if (mount == component.name) return true;
+  if (component.robot.empty() || mount == "world") return false;
+  return sameRobot(scene.components[componentIndex(scene, mount)], component);
+}
+
 // Clips of a cable around which it is not measured.
 template <class Visit>
 void visitSkippedClips(const MeasureContext& context, const Measure& measure, std::size_t cable,
                        const Visit& visit) {
   if (!(measure.skip_near_clips > 0.0)) return;
-  const std::string& component = context.scene.components[*measure.component].name;
+  const Component& component = context.scene.components[*measure.component];
   for (std::size_t i = 0; i < context.at.harness.clips.size(); ++i) {
-    if (context.at.harness.clips[i].cable == cable && context.scene.clip_mounts[i].component == component)
+    if (context.at.harness.clips[i].cable == cable && ridesOn(context.scene, i, component))
       visit(i, context.at.equilibrium.clip_reactions[i].arc_length);
   }
 }
@@ -97,11 +107,14 @@ double slopeAt(const CableView& view, const Place& place, const Vector3d& direct
 }  // namespace
 
 MeasureValue componentDistanceValue(const MeasureContext& context, const Measure& measure,
-                                    const DistancePart& part, const MeasureValue* near,
+                                    const std::vector<MeasuredBody>& bodies, const MeasureValue* near,
                                     const std::vector<PartVicinity>& vicinities) {
-  const std::string& name = context.scene.components[*measure.component].name;
-  const Pose& pose = poseOf(context, name);
-  std::vector<std::optional<ClosestPair>> pairs(measure.cables.size());
+  const std::size_t cables = measure.cables.size();
+  std::vector<std::optional<ClosestPair>> pairs(bodies.size() *
+                                                cables);  // of body k / cables and cable k % cables
+  const auto name_at = [&](std::size_t k) -> const std::string& {
+    return context.scene.components[bodies[k / cables].component].name;
+  };
   const bool known = near != nullptr && near->trace.pairs.size() == pairs.size();
   std::vector<std::size_t> order(pairs.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -114,9 +127,9 @@ MeasureValue componentDistanceValue(const MeasureContext& context, const Measure
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return before(a) < before(b); });
   }
-  std::size_t smallest = measure.cables.size();
+  std::size_t smallest = pairs.size();
   for (const std::size_t k : order) {
-    const std::size_t cable = measure.cables[k];
+    const std::size_t cable = measure.cables[k % cables];
     std::vector<SkippedStretch> skipped;
     visitSkippedClips(context, measure, cable, [&](std::size_t, double at) {
       skipped.push_back({at - measure.skip_near_clips, at + measure.skip_near_clips});
@@ -128,18 +141,21 @@ MeasureValue componentDistanceValue(const MeasureContext& context, const Measure
       if (k < vicinities.size()) search.vicinity = &vicinities[k];
       if (smallest < pairs.size()) search.limit = pairs[smallest]->distance;
     }
-    pairs[k] = distance(context.cables[cable].line(), part, pose, skipped, kEqual, search);
+    pairs[k] = distance(context.cables[cable].line(), *bodies[k / cables].part, poseOf(context, name_at(k)),
+                        skipped, kEqual, search);
     if (!pairs[k]) continue;
-    if (smallest == measure.cables.size() || pairs[k]->distance < pairs[smallest]->distance) smallest = k;
+    if (smallest == pairs.size() || pairs[k]->distance < pairs[smallest]->distance) smallest = k;
   }
-  if (smallest == measure.cables.size()) return nothingToMeasure();
+  if (smallest == pairs.size()) return nothingToMeasure();
   const ClosestPair& closest = *pairs[smallest];
-  MeasureValue value = fromPair(context, measure.cables[smallest], closest);
-  value.note = depthNote(name, closest);
+  MeasureValue value = fromPair(context, measure.cables[smallest % cables], closest);
+  value.trace.component = bodies[smallest / cables].component;
+  value.note = depthNote(name_at(smallest), closest);
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     if (!pairs[k] || pairs[k]->side != ClosestPair::Side::undecided) continue;
     value.undecided = true;
-    value.note += (value.note.empty() ? "" : "; ") + undecidedNote(name, pairs[k]->side, pairs[k]->winding);
+    value.note +=
+        (value.note.empty() ? "" : "; ") + undecidedNote(name_at(k), pairs[k]->side, pairs[k]->winding);
     break;
   }
   bool shared = closest.runner_up < closest.distance + kEqual;
@@ -159,7 +175,7 @@ double componentDistanceRate(const MeasureContext& context, const Measure& measu
   const PlaceRate at = view.rate(place, cable);
   Vector3d part = Vector3d::Zero();
   for (const auto& [index, frame] : rates.design.components) {
-    if (index != *measure.component) continue;
+    if (index != value.trace.component) continue;
     const Pose& pose = poseOf(context, context.scene.components[index].name);
     part = frame.translation + frame.rotation.cross(value.other - pose.position);
   }

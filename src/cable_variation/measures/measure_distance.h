@@ -8,9 +8,10 @@ namespace cable_variation {
 // Distance of cables to a component or to other cables, see geometry/distance.h.
 
 /// Sections within Measure::skip_near_clips of a clip that rides on the component do not count.
-/// @param near of a similar shape, or null @param vicinities of each of the measure's cables, or none
+/// @param bodies of the component @param near of a similar shape, or null
+/// @param vicinities of each body, of each of the measure's cables, or none
 MeasureValue componentDistanceValue(const MeasureContext& context, const Measure& measure,
-                                    const DistancePart& part, const MeasureValue* near,
+                                    const std::vector<MeasuredBody>& bodies, const MeasureValue* near,
                                     const std::vector<PartVicinity>& vicinities);
 double componentDistanceRate(const MeasureContext& context, const Measure& measure, const MeasureValue& value,
                              const MeasureRates& rates);

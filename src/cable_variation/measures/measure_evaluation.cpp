@@ -20,15 +20,20 @@ struct MeasureEvaluator::Impl {
   const Scene& scene;
   std::vector<Centreline> nominal;                              // per cable
   ComponentParts parts;                                         // that measures need
-  std::map<std::size_t, std::vector<PartVicinity>> vicinities;  // of measures, per cable of theirs
+  std::map<std::size_t, std::vector<MeasuredBody>> bodies;      // of measures to a component
+  std::map<std::size_t, std::vector<PartVicinity>> vicinities;  // of measures, per body and cable of theirs
 
   Impl(const Scene& of, const SolvedScene& solved, const ComponentParts& known) : scene(of) {
     for (std::size_t i = 0; i < solved.equilibrium.shapes.size(); ++i)
       nominal.push_back(centrelineOf(solved.harness.cables[i], solved.equilibrium.shapes[i]));
-    for (const Measure& measure : scene.measures) {
+    for (std::size_t i = 0; i < scene.measures.size(); ++i) {
+      const Measure& measure = scene.measures[i];
       if (!measuresToPart(measure)) continue;
       try {
-        parts.prepare(scene, *measure.component, known);
+        for (const std::size_t component : measuredComponents(scene, *measure.component)) {
+          parts.prepare(scene, component, known);
+          bodies[i].push_back({component, parts.find(component)});
+        }
       } catch (const std::invalid_argument& error) {
         throw std::invalid_argument("measure '" + measure.name + "': " + error.what());
       }
@@ -45,14 +50,17 @@ struct MeasureEvaluator::Impl {
 
   MeasureValue value(const MeasureContext& context, std::size_t index, const MeasureValue* near) const {
     const Measure& measure = this->measure(index);
-    const DistancePart* part = measuresToPart(measure) ? parts.find(*measure.component) : nullptr;
-    return functionsOf(measure.type).value(context, measure, {nominal, part, near, vicinitiesOf(index)});
+    return functionsOf(measure.type)
+        .value(context, measure, {nominal, of(bodies, index), near, of(vicinities, index)});
   }
 
-  const std::vector<PartVicinity>& vicinitiesOf(std::size_t index) const {
-    static const std::vector<PartVicinity> none;
-    const auto found = vicinities.find(index);
-    return found == vicinities.end() ? none : found->second;
+  // What there is of a measure.
+  template <class Thing>
+  static const std::vector<Thing>& of(const std::map<std::size_t, std::vector<Thing>>& all,
+                                      std::size_t index) {
+    static const std::vector<Thing> none;
+    const auto found = all.find(index);
+    return found == all.end() ? none : found->second;
   }
 };
 
@@ -77,9 +85,10 @@ void MeasureEvaluator::expectNear(const SolvedScene& nominal, const std::vector<
     const double reach = std::max(values[i].value, 0.0) + 2.0 * departure;
     std::vector<PartVicinity>& vicinities = impl_->vicinities[measures[i]];
     vicinities.clear();
-    for (const std::size_t cable : measure.cables) {
-      vicinities.emplace_back(impl_->nominal[cable], *impl_->parts.find(*measure.component),
-                              nominal.components.at(impl_->scene.components[*measure.component].name), reach);
+    for (const MeasuredBody& body : impl_->bodies.at(measures[i])) {
+      const Pose& pose = nominal.components.at(impl_->scene.components[body.component].name);
+      for (const std::size_t cable : measure.cables)
+        vicinities.emplace_back(impl_->nominal[cable], *body.part, pose, reach);
     }
   }
 }

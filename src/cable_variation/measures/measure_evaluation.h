@@ -37,7 +37,9 @@ struct MeasureValue {
     bool from_nominal = false;      ///< similarity: the place furthest away is that of the nominal shape
     Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< distance, similarity: along which the value
                                                           ///< grows when the cable at the place moves
-    std::vector<std::optional<ClosestPair>> pairs;        ///< distance to a component: per cable looked at
+    std::size_t component = 0;  ///< distance to a component: that one, of a robot the link that is closest
+    std::vector<std::optional<ClosestPair>> pairs;  ///< distance to a component: per body, and of each per
+                                                    ///< cable looked at
   } trace;
 };
 

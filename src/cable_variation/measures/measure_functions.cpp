@@ -32,7 +32,7 @@ RateOfMeasure plainRate(Context context, Of measure, At value) {
 
 MeasureValue distanceValue(Context context, Of measure, Aids aids) {
   if (!measure.component) return cableDistanceValue(context, measure);
-  return componentDistanceValue(context, measure, *aids.part, aids.near, aids.part_vicinities);
+  return componentDistanceValue(context, measure, aids.bodies, aids.near, aids.part_vicinities);
 }
 
 RateOfMeasure distanceRate(Context context, Of measure, At value) {

@@ -7,10 +7,10 @@ namespace cable_variation {
 
 /// What an evaluator keeps ready for a measure; more than most look at.
 struct MeasureAids {
-  const std::vector<Centreline>& nominal;  ///< per cable, of the shape that others are compared with
-  const DistancePart* part;                ///< of Measure::component, or null
-  const MeasureValue* near;                ///< of a similar shape, or null
-  const std::vector<PartVicinity>& part_vicinities;  ///< of each of the measure's cables, or none
+  const std::vector<Centreline>& nominal;   ///< per cable, of the shape that others are compared with
+  const std::vector<MeasuredBody>& bodies;  ///< of Measure::component
+  const MeasureValue* near;                 ///< of a similar shape, or null
+  const std::vector<PartVicinity>& part_vicinities;  ///< per body and cable of the measure, or none
 };
 
 /// How measures of a type are evaluated: see the headers measure_*.h of this room, a family each.

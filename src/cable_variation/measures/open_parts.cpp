@@ -50,7 +50,8 @@ std::vector<std::size_t> componentsMeasured(const Scene& scene, const std::vecto
   std::vector<std::size_t> components;
   for (const std::size_t index : measures) {
     const Measure& measure = scene.measures.at(index);
-    if (traitsOf(measure.type).clearance && measure.component) components.push_back(*measure.component);
+    if (!traitsOf(measure.type).clearance || !measure.component) continue;
+    for (const std::size_t body : measuredComponents(scene, *measure.component)) components.push_back(body);
   }
   std::sort(components.begin(), components.end());
   components.erase(std::unique(components.begin(), components.end()), components.end());

@@ -35,7 +35,7 @@ struct Measure {
   Type type = Type::distance;
   std::string unit;                       ///< SI
   std::vector<std::size_t> cables;        ///< looked at, indices into Harness::cables
-  std::optional<std::size_t> component;   ///< distance: to this component (all its visuals)
+  std::optional<std::size_t> component;   ///< distance: to this component, of a robot: to all its links
   std::vector<std::size_t> other_cables;  ///< distance: to these cables
   double skip_near_clips =
       0.0;  ///< distance: sections within this of a clip that rides on `component` do not count [m]

@@ -25,7 +25,9 @@ int depth(const Scene& scene, const std::string& name) {
 
 std::set<std::string> movingComponents(const Scene& scene) {
   std::set<std::string> own;
-  for (const Motion& motion : scene.motions) own.insert(motion.component);
+  for (const Component& component : scene.components) {
+    if (movesItself(scene, component)) own.insert(component.name);
+  }
   std::set<std::string> moving;
   for (const Component& component : scene.components) {
     for (std::string next = component.name; next != "world"; next = componentNamed(scene, next).parent) {
@@ -33,6 +35,27 @@ std::set<std::string> movingComponents(const Scene& scene) {
     }
   }
   return moving;
+}
+
+bool movesItself(const Scene& scene, const Component& component) {
+  if (component.joint) return component.joint->type != LinkJoint::Type::fixed;
+  if (component.driven_by != ComponentDriver::scene) return false;
+  return std::any_of(scene.motions.begin(), scene.motions.end(),
+                     [&](const Motion& motion) { return motion.component == component.name; });
+}
+
+std::vector<std::size_t> bodiesOf(const Scene& scene, std::size_t component) {
+  const std::string& name = scene.components.at(component).name;
+  std::vector<std::size_t> bodies{component};
+  for (std::size_t i = 0; i < scene.components.size(); ++i) {
+    if (i != component && scene.components[i].robot == name)
+      bodies.push_back(i);  // a robot's root is its own
+  }
+  return bodies;
+}
+
+bool sameRobot(const Component& a, const Component& b) {
+  return a.name == b.name || (!a.robot.empty() && a.robot == b.robot);
 }
 
 ComponentPoses posesDuring(const Scene& scene, const std::vector<const Motion*>& motions, double time) {

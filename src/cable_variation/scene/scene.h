@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -9,6 +10,7 @@
 #include <cable_variation/geometry/mesh/triangle_mesh.h>
 #include <cable_variation/harness/harness.h>
 #include <cable_variation/math/pose.h>
+#include <cable_variation/scene/link_joint.h>
 #include <cable_variation/scene/measure.h>
 #include <cable_variation/scene/motion.h>
 #include <cable_variation/scene/scene_fault.h>
@@ -27,12 +29,23 @@ struct Visual {
   Eigen::Vector4d color{0.65, 0.67, 0.70, 1.0};  ///< r g b a
 };
 
-/// A rigid part. Its name is its tf frame.
+/// Who says where a component is.
+enum class ComponentDriver {
+  scene,        ///< the scene file, or a recorded motion
+  tf,           ///< another program, such as a robot's: the nodes publish no frame for it
+  joint_states  ///< a robot's joints, for its links: see Component::joint
+};
+
+/// A rigid part. Its name is its tf frame. A URDF that joint states drive is one for each link: the root link
+/// has the name of the whole, the others are NAME/LINK.
 struct Component {
   std::string name;
   std::string parent = "world";  ///< a component, or world
-  Pose pose;                     ///< in the parent's frame
-  std::vector<Visual> visuals;   ///< of a URDF: every link's, its joints at the positions given
+  Pose pose;                     ///< in the parent's frame; of a link: its joint at LinkJoint::position
+  ComponentDriver driven_by = ComponentDriver::scene;
+  std::string robot;               ///< of a link that joint states drive: the root link; else empty
+  std::optional<LinkJoint> joint;  ///< of such a link that is not the root
+  std::vector<Visual> visuals;     ///< of a URDF as a whole: every link's, its joints at the positions given
   std::vector<std::pair<Eigen::Vector3d, Eigen::Vector3d>>
       locators;  ///< 3-2-1: point, unit direction, in its frame
 };

@@ -83,8 +83,40 @@ JointPosition readJointPosition(const YamlCursor& cursor) {
   return {cursor.number(either), JointPosition::Unit::radian};
 }
 
+// Of a URDF that moves as one.
+void addVisuals(std::vector<UrdfLink> links, Component& component) {
+  for (UrdfLink& link : links) {
+    for (Visual& visual : link.visuals) {
+      visual.pose = link.pose * visual.pose;
+      component.visuals.push_back(std::move(visual));
+    }
+  }
+}
+
+// Of a URDF whose joints move: `links` takes all but the root.
+void addLinks(std::vector<UrdfLink> of, Component& root, std::vector<Component>& links) {
+  if (of.empty()) return;
+  const std::string root_link = of.front().name;
+  const auto component_of = [&](const std::string& link) {
+    return link == root_link ? root.name : root.name + "/" + link;
+  };
+  root.robot = root.name;
+  root.visuals = std::move(of.front().visuals);
+  for (std::size_t i = 1; i < of.size(); ++i) {
+    Component link;
+    link.name = component_of(of[i].name);
+    link.parent = component_of(of[i].parent);
+    link.driven_by = ComponentDriver::joint_states;
+    link.robot = root.name;
+    link.pose = of[i].joint->origin * jointMotion(*of[i].joint, of[i].joint->position);
+    link.joint = std::move(of[i].joint);
+    link.visuals = std::move(of[i].visuals);
+    links.push_back(std::move(link));
+  }
+}
+
 void readUrdfVisuals(const YamlCursor& item, const YamlCursor& urdf, Component& component,
-                     ReadContext& context) {
+                     std::vector<Component>& links, ReadContext& context) {
   std::map<std::string, JointPosition> positions;
   const std::size_t before = context.faults.count();
   if (const auto given = item.find("joint_positions")) {
@@ -102,7 +134,13 @@ void readUrdfVisuals(const YamlCursor& item, const YamlCursor& urdf, Component& 
     const MeshLoader load = [&](const std::string& mesh, const Vector3d& scale) {
       return loadMesh(mesh, scale, context);
     };
-    component.visuals = readUrdf(localPath(address, context.find_package), positions, load, faults, warnings);
+    std::vector<UrdfLink> all =
+        readUrdfLinks(localPath(address, context.find_package), positions, load, faults, warnings);
+    if (component.driven_by == ComponentDriver::joint_states) {
+      addLinks(std::move(all), component, links);
+    } else {
+      addVisuals(std::move(all), component);
+    }
     for (const std::string& fault : faults) urdf.fail("'" + address + "': " + fault);
     for (const std::string& warning : warnings) urdf.warn("'" + address + "': " + warning);
   } catch (const std::invalid_argument& error) {
@@ -126,9 +164,19 @@ void readLocators(const YamlCursor& list, Component& component) {
   }
 }
 
-void readComponent(const YamlCursor& item, Component& component, ReadContext& context) {
-  if (!item.checkKeys(
-          {"name", "mesh", "scale", "color", "urdf", "joint_positions", "parent", "pose", "locators"})) {
+void readDriver(const YamlCursor& item, Component& component) {
+  const auto driver = item.find("driven_by");
+  if (!driver) return;
+  component.driven_by = static_cast<ComponentDriver>(driver->choice({"scene", "tf", "joint_states"}));
+  if (component.driven_by == ComponentDriver::joint_states && !item.has("urdf"))
+    driver->fail("joint states drive the joints of a urdf; expected a urdf, or tf");
+}
+
+// `links` takes those of a URDF that joint states drive.
+void readComponent(const YamlCursor& item, Component& component, std::vector<Component>& links,
+                   ReadContext& context) {
+  if (!item.checkKeys({"name", "mesh", "scale", "color", "urdf", "joint_positions", "parent", "pose",
+                       "driven_by", "locators"})) {
     return;
   }
   if (component.name == "world") item.fail("'world' is the fixed frame; expected another name");
@@ -140,26 +188,28 @@ void readComponent(const YamlCursor& item, Component& component, ReadContext& co
   }
   if (!urdf && item.has("joint_positions")) item.find("joint_positions")->fail("it goes with a urdf");
   if (mesh && !urdf) readMeshVisual(item, *mesh, component, context);
-  if (urdf && !mesh) readUrdfVisuals(item, *urdf, component, context);
+  readDriver(item, component);
+  if (urdf && !mesh) readUrdfVisuals(item, *urdf, component, links, context);
   if (const auto parent = item.find("parent")) component.parent = parent->text();
   if (const auto pose = item.find("pose")) component.pose = readPose(*pose);
   if (const auto locators = item.find("locators")) readLocators(*locators, component);
 }
 
 // Every parent is there, and none rides on itself by way of others.
-void checkParents(const std::vector<YamlCursor>& items, const ReadContext& context) {
+void checkParents(const std::vector<std::pair<YamlCursor, std::size_t>>& items, const ReadContext& context) {
   const std::vector<Component>& components = context.scene.components;
   std::map<std::string, const Component*> by_name;
   for (const Component& component : components) by_name.emplace(component.name, &component);
-  for (std::size_t i = 0; i < components.size(); ++i) {
-    const auto parent = items[i].find("parent");
-    if (!parent || components[i].parent == "world" || components[i].parent.empty()) continue;
+  for (const auto& [item, index] : items) {
+    const Component& component = components[index];
+    const auto parent = item.find("parent");
+    if (!parent || component.parent == "world" || component.parent.empty()) continue;
     if (context.components.find(*parent) == NameTable::npos) continue;
-    std::set<std::string> passed{components[i].name};
-    std::string chain = components[i].name;
-    for (std::string at = components[i].parent; by_name.count(at) > 0; at = by_name.at(at)->parent) {
+    std::set<std::string> passed{component.name};
+    std::string chain = component.name;
+    for (std::string at = component.parent; by_name.count(at) > 0; at = by_name.at(at)->parent) {
       chain += " -> " + at;
-      if (at == components[i].name) {
+      if (at == component.name) {
         parent->fail("components ride on each other: " + chain);
       }
       if (!passed.insert(at).second) break;
@@ -170,13 +220,19 @@ void checkParents(const std::vector<YamlCursor>& items, const ReadContext& conte
 }  // namespace
 
 void readComponents(const YamlCursor& list, ReadContext& context) {
-  std::vector<YamlCursor> items;
-  for (const YamlCursor& item : list.items()) {
-    items.push_back(context.components.add(item));
+  std::vector<std::pair<YamlCursor, std::size_t>> items;  // with their components
+  for (const YamlCursor& unnamed : list.items()) {
+    const YamlCursor item = context.components.add(unnamed);
+    items.emplace_back(item, context.scene.components.size());
     Component component;
     component.name = context.components.names().back();
-    readComponent(items.back(), component, context);
+    std::vector<Component> links;
+    readComponent(item, component, links, context);
     context.scene.components.push_back(std::move(component));
+    for (Component& link : links) {
+      context.components.declare(item, link.name);
+      context.scene.components.push_back(std::move(link));
+    }
   }
   checkParents(items, context);
 }

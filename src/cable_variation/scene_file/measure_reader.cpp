@@ -4,6 +4,7 @@
 
 #include <cable_variation/harness/clip_preset.h>
 #include <cable_variation/scene/measure_traits.h>
+#include <cable_variation/scene/moving_components.h>
 #include <cable_variation/scene_file/pose_reader.h>
 #include <cable_variation/scene_file/read_context.h>
 
@@ -69,7 +70,9 @@ void readComponentOf(const YamlCursor& item, Measure& measure, const ReadContext
   const std::size_t component = context.components.find(*name);
   if (component != NameTable::npos) {
     measure.component = component;
-    if (context.scene.components[component].visuals.empty()) {
+    const std::vector<std::size_t> bodies = bodiesOf(context.scene, component);
+    if (std::all_of(bodies.begin(), bodies.end(),
+                    [&](std::size_t body) { return context.scene.components[body].visuals.empty(); })) {
       name->fail("component '" + context.components.name(component) + "' has no shape to measure to");
     }
   }

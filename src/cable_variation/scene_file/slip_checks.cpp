@@ -7,6 +7,7 @@
 
 #include <cable_variation/harness/clip_preset.h>
 #include <cable_variation/scene/harness_slips.h>
+#include <cable_variation/scene/moving_components.h>
 
 namespace cable_variation {
 namespace {
@@ -179,10 +180,14 @@ void checkMaterials(const YamlCursor& root) {
 
 void checkComponents(const YamlCursor& root, const Scene& scene) {
   const std::vector<YamlCursor> items = namedItems(root, "components", "component");
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    if (scene.components[i].visuals.empty()) continue;
-    checkSize(items[i], scene.components[i]);
-    checkPlace(items[i], scene.components[i], scene);
+  std::size_t of = 0;
+  for (const YamlCursor& item : items) {
+    for (const std::size_t i : bodiesOf(scene, of)) {
+      if (scene.components[i].visuals.empty()) continue;
+      checkSize(item, scene.components[i]);
+      checkPlace(item, scene.components[i], scene);
+    }
+    for (++of; of < scene.components.size() && scene.components[of].joint;) ++of;  // past a robot's links
   }
 }
 

@@ -1,5 +1,6 @@
 #include <cable_variation/scene_file/urdf_reader.h>
 
+#include <algorithm>
 #include <cmath>
 #include <mutex>
 #include <stdexcept>
@@ -114,12 +115,12 @@ class UrdfReader {
     for (const auto& [name, position] : positions) positions_[names_.marked(name)] = position;
   }
 
-  std::vector<Visual> read(std::vector<std::string>& faults, std::vector<std::string>& warnings) {
+  std::vector<UrdfLink> read(std::vector<std::string>& faults, std::vector<std::string>& warnings) {
     checkPositions();
     addLinks();
     for (const std::string& fault : faults_) faults.push_back(names_.unmarked(fault));
     for (const std::string& warning : warnings_) warnings.push_back(names_.unmarked(warning));
-    return std::move(visuals_);
+    return std::move(links_);
   }
 
  private:
@@ -158,46 +159,58 @@ class UrdfReader {
     }
   }
 
-  double positionOf(const urdf::Joint& joint, int depth = 0) {
+  // Whose position counts, and where that puts the joint.
+  void setPosition(const urdf::Joint& joint, LinkJoint& result, int depth = 0) {
     constexpr int kLongestChain = 32;
-    if (joint.mimic) {
-      const auto leader = model_.getJoint(joint.mimic->joint_name);
-      if (!leader || depth > kLongestChain) {
-        faults_.push_back("joint '" + joint.name + "' mimics '" + joint.mimic->joint_name + "', which " +
-                          (leader ? "mimics it in turn" : "is not there"));
-        return 0.0;
-      }
-      return joint.mimic->multiplier * positionOf(*leader, depth + 1) + joint.mimic->offset;
+    if (!joint.mimic) {
+      result.driver = names_.unmarked(joint.name);
+      const auto given = positions_.find(joint.name);
+      result.position = given == positions_.end() ? 0.0 : given->second.value;
+      return;
     }
-    const auto given = positions_.find(joint.name);
-    return given == positions_.end() ? 0.0 : given->second.value;
+    const auto leader = model_.getJoint(joint.mimic->joint_name);
+    if (!leader || depth > kLongestChain) {
+      faults_.push_back("joint '" + joint.name + "' mimics '" + joint.mimic->joint_name + "', which " +
+                        (leader ? "mimics it in turn" : "is not there"));
+      return;
+    }
+    setPosition(*leader, result, depth + 1);
+    const double multiplier = joint.mimic->multiplier, offset = joint.mimic->offset;
+    result.multiplier *= multiplier;
+    result.offset = multiplier * result.offset + offset;
+    result.position = multiplier * result.position + offset;
   }
 
-  Pose jointMotion(const urdf::Joint& joint) {
-    Pose motion;
-    if (joint.type == urdf::Joint::FIXED) return motion;
+  LinkJoint readJoint(const urdf::Joint& joint) {
+    LinkJoint result;
+    result.name = names_.unmarked(joint.name);
+    result.origin = toPose(joint.parent_to_joint_origin_transform);
+    if (joint.type == urdf::Joint::FIXED) return result;
     if (joint.type == urdf::Joint::FLOATING || joint.type == urdf::Joint::PLANAR) {
       faults_.push_back("joint '" + joint.name + "' is " +
                         (joint.type == urdf::Joint::PLANAR ? "planar" : "floating") +
                         "; expected fixed, revolute, continuous or prismatic");
-      return motion;
+      return result;
     }
-    const double position = positionOf(joint);
-    if (joint.type != urdf::Joint::CONTINUOUS && joint.limits &&
-        !(position >= joint.limits->lower && position <= joint.limits->upper)) {
-      faults_.push_back("joint '" + joint.name + "' at " + shortNumber(position) + " is out of its limits " +
-                        shortNumber(joint.limits->lower) + " to " + shortNumber(joint.limits->upper) +
-                        "; expected a position within them in joint_positions");
+    setPosition(joint, result);
+    if (joint.type != urdf::Joint::CONTINUOUS && joint.limits) {
+      result.lower = joint.limits->lower;
+      result.upper = joint.limits->upper;
+    }
+    if (!(result.position >= result.lower && result.position <= result.upper)) {
+      faults_.push_back("joint '" + joint.name + "' at " + shortNumber(result.position) +
+                        " is out of its limits " + shortNumber(result.lower) + " to " +
+                        shortNumber(result.upper) + "; expected a position within them in joint_positions");
     }
     const Eigen::Vector3d axis(joint.axis.x, joint.axis.y, joint.axis.z);
     if (!(axis.norm() > 0.0)) {
       faults_.push_back("joint '" + joint.name + "' has an axis of length 0");
-    } else if (joint.type == urdf::Joint::PRISMATIC) {
-      motion.position = position * axis.normalized();
     } else {
-      motion.orientation = Eigen::AngleAxisd(position, axis.normalized());
+      const bool slides = joint.type == urdf::Joint::PRISMATIC;
+      result.type = slides ? LinkJoint::Type::prismatic : LinkJoint::Type::revolute;
+      result.axis = axis.normalized();
     }
-    return motion;
+    return result;
   }
 
   // From the root on, in the order in which joints are listed, however long the chains are.
@@ -207,29 +220,34 @@ class UrdfReader {
       Pose parent;
     };
     std::vector<Branch> open;
-    const auto add = [&](const urdf::Link& link, const Pose& pose) {
-      addLink(link, pose);
+    const auto add = [&](const urdf::Link& link, const Pose& pose, UrdfLink carried) {
+      addLink(link, pose, std::move(carried));
       for (auto it = link.child_joints.rbegin(); it != link.child_joints.rend(); ++it) {
         open.push_back({it->get(), pose});
       }
     };
-    add(*model_.getRoot(), Pose());
+    add(*model_.getRoot(), Pose(), {});
     while (!open.empty()) {
       const auto [joint, parent] = open.back();
       open.pop_back();
-      add(*model_.getLink(joint->child_link_name),
-          parent * toPose(joint->parent_to_joint_origin_transform) * jointMotion(*joint));
+      UrdfLink carried;
+      carried.parent = names_.unmarked(joint->parent_link_name);
+      carried.joint = readJoint(*joint);
+      const Pose pose = parent * carried.joint->origin * jointMotion(*carried.joint, carried.joint->position);
+      add(*model_.getLink(joint->child_link_name), pose, std::move(carried));
     }
   }
 
-  void addLink(const urdf::Link& link, const Pose& pose) {
+  void addLink(const urdf::Link& link, const Pose& pose, UrdfLink result) {
+    result.name = names_.unmarked(link.name);
+    result.pose = pose;
     if (!link.visual_array.empty()) {
-      for (const auto& visual : link.visual_array) addGeometry(link.name, *visual, pose, colorOf(*visual));
+      for (const auto& visual : link.visual_array) addGeometry(link.name, *visual, colorOf(*visual), result);
     } else {
-      for (const auto& collision : link.collision_array) {
-        addGeometry(link.name, *collision, pose, Visual().color);
-      }
+      for (const auto& collision : link.collision_array)
+        addGeometry(link.name, *collision, Visual().color, result);
     }
+    links_.push_back(std::move(result));
   }
 
   static Eigen::Vector4d colorOf(const urdf::Visual& visual) {
@@ -241,19 +259,20 @@ class UrdfReader {
   }
 
   template <typename Shape>  // urdf::Visual or urdf::Collision
-  void addGeometry(const std::string& link, const Shape& shape, const Pose& link_pose,
-                   const Eigen::Vector4d& color) {
+  void addGeometry(const std::string& link, const Shape& shape, const Eigen::Vector4d& color,
+                   UrdfLink& result) {
     Visual visual;
-    visual.name = names_.unmarked(link);
-    visual.pose = link_pose * toPose(shape.origin);
+    visual.name = result.name;
+    visual.pose = toPose(shape.origin);
     visual.color = color;
     try {
       if (!shape.geometry) throw std::invalid_argument("its geometry is missing");
-      if (!visual.pose.position.allFinite() || !visual.pose.orientation.coeffs().allFinite()) {
+      const Pose in_root = result.pose * visual.pose;
+      if (!in_root.position.allFinite() || !in_root.orientation.coeffs().allFinite()) {
         throw std::invalid_argument("its origin is not finite");
       }
       setMesh(*shape.geometry, visual);
-      visuals_.push_back(std::move(visual));
+      result.visuals.push_back(std::move(visual));
     } catch (const std::invalid_argument& error) {
       faults_.push_back("link '" + link + "': " + error.what());
     }
@@ -282,19 +301,35 @@ class UrdfReader {
   const MeshLoader& load_mesh_;
   std::vector<std::string> faults_;
   std::vector<std::string> warnings_;
-  std::vector<Visual> visuals_;
+  std::vector<UrdfLink> links_;
 };
 
 }  // namespace
+
+std::vector<UrdfLink> readUrdfLinks(const std::string& path,
+                                    const std::map<std::string, JointPosition>& joint_positions,
+                                    const MeshLoader& load_mesh, std::vector<std::string>& faults,
+                                    std::vector<std::string>& warnings) {
+  const UrdfModel model(path, faults);
+  if (!model.get()) return {};
+  std::vector<UrdfLink> links = UrdfReader(model, joint_positions, load_mesh).read(faults, warnings);
+  const bool seen =
+      std::any_of(links.begin(), links.end(), [](const UrdfLink& link) { return !link.visuals.empty(); });
+  if (!seen && faults.empty()) faults.emplace_back("none of its links has a geometry");
+  return links;
+}
 
 std::vector<Visual> readUrdf(const std::string& path,
                              const std::map<std::string, JointPosition>& joint_positions,
                              const MeshLoader& load_mesh, std::vector<std::string>& faults,
                              std::vector<std::string>& warnings) {
-  const UrdfModel model(path, faults);
-  if (!model.get()) return {};
-  std::vector<Visual> visuals = UrdfReader(model, joint_positions, load_mesh).read(faults, warnings);
-  if (visuals.empty() && faults.empty()) faults.emplace_back("none of its links has a geometry");
+  std::vector<Visual> visuals;
+  for (UrdfLink& link : readUrdfLinks(path, joint_positions, load_mesh, faults, warnings)) {
+    for (Visual& visual : link.visuals) {
+      visual.pose = link.pose * visual.pose;
+      visuals.push_back(std::move(visual));
+    }
+  }
   return visuals;
 }
 

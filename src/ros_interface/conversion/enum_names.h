@@ -18,6 +18,9 @@ const char* nameOf(Enum value, const std::array<const char*, count>& names) {
 inline const char* nameOf(cable_variation::Axis axis) {
   return nameOf(axis, std::array<const char*, 3>{"x", "y", "z"});
 }
+inline const char* nameOf(cable_variation::ComponentDriver driver) {
+  return nameOf(driver, std::array<const char*, 3>{"scene", "tf", "joint_states"});
+}
 inline const char* nameOf(cable_variation::Joint::Type type) {
   return nameOf(type, std::array<const char*, 3>{"fixed", "pivot", "hinge"});
 }

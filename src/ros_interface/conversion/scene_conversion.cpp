@@ -72,6 +72,9 @@ ComponentInfo toInfo(const Component& component) {
   ComponentInfo info;
   info.name = component.name;
   info.parent = component.parent;
+  info.driven_by = nameOf(component.driven_by);
+  info.robot = component.robot;
+  info.joint = component.joint ? component.joint->name : "";
   info.pose = toPose(component.pose);
   for (const Visual& visual : component.visuals) {
     if (visual.mesh) info.triangles += static_cast<std::uint32_t>(visual.mesh->triangles.size());

@@ -129,6 +129,11 @@ void TfFollower::checkTime() {
     event.text = "the clock was set back: tf starts afresh";
     tell_({event});
   }
+  for (const cable_variation::Component& component : context_.design().scene.components) {
+    const bool by_joint = component.joint && component.joint->type != cable_variation::LinkJoint::Type::fixed;
+    if (by_joint || component.driven_by == cable_variation::ComponentDriver::tf)
+      watch_.expect(component.name, ros::Time::now());
+  }
   tell_(watch_.eventsAt(ros::Time::now()));
 }
 

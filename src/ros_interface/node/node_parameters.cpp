@@ -112,6 +112,7 @@ MovingGeometryParameters readMovingGeometryParameters(const ros::NodeHandle& nod
         reader.optionalPositive("rate", parameters.rate_hz, kHighestRate);
         reader.optional("loop", parameters.loop);
         reader.optionalPositive("speed", parameters.speed, kHighestSpeed);
+        reader.optional("joint_states", parameters.joint_states);
       });
 }
 

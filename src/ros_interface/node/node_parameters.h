@@ -19,9 +19,10 @@ struct StaticGeometryParameters {
 struct MovingGeometryParameters {
   std::string scene;
   bool follow = false;
-  double rate_hz = 50.0;  ///< of the transforms
-  bool loop = true;       ///< start again at the end
-  double speed = 1.0;     ///< seconds of motion per second
+  double rate_hz = 50.0;                       ///< of the transforms
+  bool loop = true;                            ///< start again at the end
+  double speed = 1.0;                          ///< seconds of motion per second
+  std::string joint_states = "/joint_states";  ///< topic that robots' links follow
 };
 
 struct CableSolverParameters {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include <cable_variation/scene/measure_traits.h>
+#include <cable_variation/scene/moving_components.h>
 
 namespace cable_variation {
 
@@ -17,8 +18,10 @@ bool contains(const std::vector<std::size_t>& all, std::size_t each) {
 bool isOf(const Measure& measure, const EnvelopeClearance& clearance, const Scene& scene) {
   if (!traitsOf(measure.type).clearance) return false;
   if (!clearance.other) {
-    return measure.component && scene.components[*measure.component].name == clearance.component &&
-           contains(measure.cables, clearance.cable);
+    if (!measure.component || !contains(measure.cables, clearance.cable)) return false;
+    const std::vector<std::size_t> bodies = bodiesOf(scene, *measure.component);
+    return std::any_of(bodies.begin(), bodies.end(),
+                       [&](std::size_t body) { return scene.components[body].name == clearance.component; });
   }
   return (contains(measure.cables, clearance.cable) && contains(measure.other_cables, *clearance.other)) ||
          (contains(measure.cables, *clearance.other) && contains(measure.other_cables, clearance.cable));

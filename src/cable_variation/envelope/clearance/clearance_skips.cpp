@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include <cable_variation/scene/deviations.h>
 #include <cable_variation/scene/measure_traits.h>
+#include <cable_variation/scene/moving_components.h>
 
 namespace cable_variation {
 namespace {
@@ -18,8 +20,8 @@ double skippedNearClips(const Scene& scene, const ClearanceOptions& options, std
   if (options.skip_near_clips) return *options.skip_near_clips;
   std::optional<double> smallest;
   for (const Measure& measure : scene.measures) {
-    if (!traitsOf(measure.type).clearance || measure.component != component) continue;
-    if (!has(measure.cables, cable)) continue;
+    if (!traitsOf(measure.type).clearance || !measure.component) continue;
+    if (!has(bodiesOf(scene, *measure.component), component) || !has(measure.cables, cable)) continue;
     smallest = std::min(smallest.value_or(measure.skip_near_clips), measure.skip_near_clips);
   }
   return smallest.value_or(ClearanceOptions::kNearClips);
@@ -45,8 +47,11 @@ std::vector<SkippedStretch> stretchesNearClips(const Scene& scene, const Harness
                                                const std::string& component, double near) {
   std::vector<SkippedStretch> stretches;
   if (!(near > 0.0)) return stretches;
+  const Component& part = scene.components[componentIndex(scene, component)];
   for (std::size_t i = 0; i < harness.clips.size(); ++i) {
-    if (harness.clips[i].cable != cable || scene.clip_mounts[i].component != component) continue;
+    const std::string& mount = scene.clip_mounts[i].component;
+    if (harness.clips[i].cable != cable || mount == "world") continue;
+    if (!sameRobot(scene.components[componentIndex(scene, mount)], part)) continue;
     const double held = equilibrium.clip_reactions[i].arc_length;
     stretches.push_back({held - near, held + near});
   }
