@@ -1,5 +1,6 @@
 """What the command line clients of cable_solver share."""
 import argparse
+import difflib
 import math
 import os
 import sys
@@ -11,6 +12,7 @@ from cable_variation.srv import GetScene
 
 UNITS = {'deg': math.pi / 180, 'mm': 1e-3, 'rad': 1.0, 'm': 1.0, '': 1.0}
 
+PATIENCE = 30  # for a service to show up [s]
 
 # What people use: name and size in SI.
 PEOPLE = {'m': ('mm', 1e-3), 'rad': ('deg', math.pi / 180), 'Pa': ('MPa', 1e6), '1': ('%', 1e-2)}
@@ -65,11 +67,21 @@ def start(name, disable_signals=False):
     rospy.init_node(name, anonymous=True, disable_signals=disable_signals, log_level=rospy.FATAL)
 
 
+def nearest_service(name):
+    """What somebody may have meant by the name of a service that is not there: '; did you mean ...?', or nothing."""
+    services = [each for each, _ in rosgraph.Master(rospy.get_name()).getSystemState()[2]]
+    close = difflib.get_close_matches(name, services, 1)
+    return "; did you mean '%s'?" % close[0] if close else ''
+
+
 def call(node, service, kind, accepted=(Status.SUCCESS,), **request):
     """The answer of a service; SystemExit with its message unless its status is one that is accepted."""
     name = rospy.resolve_name('%s/%s' % (node, service))
     try:
-        rospy.wait_for_service(name, timeout=30)
+        rospy.wait_for_service(name, timeout=PATIENCE)
+    except rospy.ROSException:
+        sys.exit('%s: nobody there within %d s%s' % (name, PATIENCE, nearest_service(name)))
+    try:
         answer = rospy.ServiceProxy(name, kind)(**request)
     except (rospy.ROSException, rospy.ServiceException) as error:
         sys.exit('%s: %s' % (name, error))
