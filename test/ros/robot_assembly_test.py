@@ -75,9 +75,6 @@ class RobotAssemblyTest(NodeTest):
         above = self.transform('seat', 'connector')  # in the gripper, upright
         self.assertGreater(above.translation.z, 0.02)
         self.assertLess(angle(above.rotation), TURNED)
-        self.eventually(lambda: self.phase('release'), 'the end of the path')
-        gripper = self.transform('seat', 'gripper')  # as robot_state_publisher has it, about the middle of the plug
-        self.assertLess(math.dist(xyz(gripper.translation), (-0.021, 0.0, 0.0)), NEAR)
         self.eventually(lambda: self.phase('done'), 'the gripper away')
         time.sleep(0.5)
 
