@@ -31,7 +31,7 @@ double TfWatch::age(const Source& source, const ros::Time& now) const {
 
 std::string TfWatch::textOf(const std::string& component, const Source& source, const ros::Time& now) const {
   const std::string who = "component '" + component + "'";
-  if (!source.seen) return who + " is driven by others and has not been on tf";
+  if (!source.seen) return who + " is driven by tf and has not been on it";
   return who + ": its newest tf is " + shortNumber(age(source, now)) +
          " s old, more than ~tf_timeout allows (" + shortNumber(timeout_) +
          " s); it is taken to be where it was";
