@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Starts a ROS master and the nodes of one build with a scene, asks all fixed requests and writes a pickle: the
 definitions of the messages, and all answers by request. compare_answers runs it in the environment of the build."""
 import argparse
