@@ -12,7 +12,6 @@
 #include <cable_variation/geometry/tube_distance/part_vicinity.h>
 #include <cable_variation/measures/joint_between.h>
 #include <cable_variation/measures/open_parts.h>
-#include <cable_variation/scene/deviations.h>
 #include <cable_variation/scene/moving_components.h>
 
 namespace cable_variation {
@@ -29,14 +28,6 @@ const Pose& poseOf(const MeasureContext& context, const std::string& component) 
     throw std::invalid_argument("measures: the pose of component '" + component + "' is not given");
   }
   return pose->second;
-}
-
-// Whether a clip is on a component, of a robot on any of its links.
-bool ridesOn(const Scene& scene, std::size_t clip, const Component& component) {
-  const std::string& mount = scene.clip_mounts[clip].component;
-  if (mount == component.name) return true;
-  if (component.robot.empty() || mount == "world") return false;
-  return sameRobot(scene.components[componentIndex(scene, mount)], component);
 }
 
 // Clips of a cable around which it is not measured.

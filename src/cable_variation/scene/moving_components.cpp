@@ -58,6 +58,13 @@ bool sameRobot(const Component& a, const Component& b) {
   return a.name == b.name || (!a.robot.empty() && a.robot == b.robot);
 }
 
+bool ridesOn(const Scene& scene, std::size_t clip, const Component& component) {
+  const std::string& mount = scene.clip_mounts[clip].component;
+  if (mount == component.name) return true;
+  if (component.robot.empty() || mount == "world") return false;
+  return sameRobot(componentNamed(scene, mount), component);
+}
+
 ComponentPoses posesDuring(const Scene& scene, const std::vector<const Motion*>& motions, double time) {
   std::vector<const Motion*> parents_first = motions;
   std::stable_sort(parents_first.begin(), parents_first.end(), [&](const Motion* a, const Motion* b) {

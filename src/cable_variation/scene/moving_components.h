@@ -21,6 +21,9 @@ std::vector<std::size_t> bodiesOf(const Scene& scene, std::size_t component);
 /// Whether both are the same component, or of the same robot.
 bool sameRobot(const Component& a, const Component& b);
 
+/// Whether a clip (index) is on the component, or on any link of its robot.
+bool ridesOn(const Scene& scene, std::size_t clip, const Component& component);
+
 /// World poses, at `time` [s], of the components that `motions` move; each motion is
 /// clamped to its recording. Throws std::invalid_argument if one is not loaded.
 ComponentPoses posesDuring(const Scene& scene, const std::vector<const Motion*>& motions, double time);
