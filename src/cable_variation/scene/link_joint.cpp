@@ -2,6 +2,10 @@
 
 namespace cable_variation {
 
+double jointPosition(const LinkJoint& joint, double driver_position) {
+  return joint.multiplier * driver_position + joint.offset;
+}
+
 Pose jointMotion(const LinkJoint& joint, double position) {
   Pose motion;
   if (joint.type == LinkJoint::Type::prismatic) motion.position = position * joint.axis;
@@ -10,7 +14,7 @@ Pose jointMotion(const LinkJoint& joint, double position) {
 }
 
 Pose linkPose(const LinkJoint& joint, double driver_position) {
-  return joint.origin * jointMotion(joint, joint.multiplier * driver_position + joint.offset);
+  return joint.origin * jointMotion(joint, jointPosition(joint, driver_position));
 }
 
 }  // namespace cable_variation

@@ -25,6 +25,9 @@ struct LinkJoint {
   double upper = std::numeric_limits<double>::infinity();
 };
 
+/// The joint's position [rad or m], its driver at `driver_position` [rad or m].
+double jointPosition(const LinkJoint& joint, double driver_position);
+
 /// What a joint at `position` [rad or m] does to its link.
 Pose jointMotion(const LinkJoint& joint, double position);
 

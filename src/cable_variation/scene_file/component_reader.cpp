@@ -83,16 +83,6 @@ JointPosition readJointPosition(const YamlCursor& cursor) {
   return {cursor.number(either), JointPosition::Unit::radian};
 }
 
-// Of a URDF that moves as one.
-void addVisuals(std::vector<UrdfLink> links, Component& component) {
-  for (UrdfLink& link : links) {
-    for (Visual& visual : link.visuals) {
-      visual.pose = link.pose * visual.pose;
-      component.visuals.push_back(std::move(visual));
-    }
-  }
-}
-
 // Of a URDF whose joints move: `links` takes all but the root.
 void addLinks(std::vector<UrdfLink> of, Component& root, std::vector<Component>& links) {
   if (of.empty()) return;
@@ -134,12 +124,11 @@ void readUrdfVisuals(const YamlCursor& item, const YamlCursor& urdf, Component& 
     const MeshLoader load = [&](const std::string& mesh, const Vector3d& scale) {
       return loadMesh(mesh, scale, context);
     };
-    std::vector<UrdfLink> all =
-        readUrdfLinks(localPath(address, context.find_package), positions, load, faults, warnings);
+    const std::string path = localPath(address, context.find_package);
     if (component.driven_by == ComponentDriver::joint_states) {
-      addLinks(std::move(all), component, links);
+      addLinks(readUrdfLinks(path, positions, load, faults, warnings), component, links);
     } else {
-      addVisuals(std::move(all), component);
+      component.visuals = readUrdf(path, positions, load, faults, warnings);
     }
     for (const std::string& fault : faults) urdf.fail("'" + address + "': " + fault);
     for (const std::string& warning : warnings) urdf.warn("'" + address + "': " + warning);

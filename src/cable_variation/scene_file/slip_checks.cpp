@@ -182,12 +182,13 @@ void checkComponents(const YamlCursor& root, const Scene& scene) {
   const std::vector<YamlCursor> items = namedItems(root, "components", "component");
   std::size_t of = 0;
   for (const YamlCursor& item : items) {
-    for (const std::size_t i : bodiesOf(scene, of)) {
+    const std::vector<std::size_t> bodies = bodiesOf(scene, of);
+    for (const std::size_t i : bodies) {
       if (scene.components[i].visuals.empty()) continue;
       checkSize(item, scene.components[i]);
       checkPlace(item, scene.components[i], scene);
     }
-    for (++of; of < scene.components.size() && scene.components[of].joint;) ++of;  // past a robot's links
+    of += bodies.size();  // a robot's links stand behind its root
   }
 }
 

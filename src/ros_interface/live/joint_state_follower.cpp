@@ -72,7 +72,7 @@ bool JointStateFollower::isGood(const std::string& joint, double position,
 void JointStateFollower::checkLimits(const Link& link, double driver_position,
                                      std::vector<std::string>& warnings) {
   const LinkJoint& joint = link.joint;
-  const double position = joint.multiplier * driver_position + joint.offset;
+  const double position = jointPosition(joint, driver_position);
   if (position >= joint.lower && position <= joint.upper) return;
   if (!told_.insert(joint.name + " is out of its limits").second) return;
   warnings.push_back("joint '" + joint.name + "' is at " + shortNumber(position) + ", out of its limits " +
