@@ -1,6 +1,9 @@
-"""Binary STL and URDF."""
+"""Binary STL and URDF, and the programs that make a package's files of them."""
 
+import argparse
+import pathlib
 import struct
+import sys
 
 import numpy as np
 
@@ -56,18 +59,29 @@ def numbers(values):
     return " ".join(f"{value:.6g}" for value in values)
 
 
+def material_lines(materials):
+    lines = []
+    for material, colour in materials:
+        lines += [f'  <material name="{material}">', f'    <color rgba="{numbers(colour)} 1"/>', "  </material>"]
+    return lines
+
+
+def link_lines(name, part, folder=""):
+    """A link whose visual and collision geometry are a part's mesh; `folder` below meshes/, with its slash."""
+    geometry = f'      <geometry><mesh filename="{PACKAGE}/meshes/{folder}{part.name}.stl"/></geometry>'
+    lines = [f'  <link name="{name}">', "    <visual>", geometry]
+    lines += [f'      <material name="{part.material[0]}"/>', "    </visual>"]
+    return [*lines, "    <collision>", geometry, "    </collision>", "  </link>"]
+
+
 def urdf_text(name, parts, folder="", maker="make_engine_bay"):
     """Every part a link on the root link `name`; visual and collision geometry are the same mesh."""
     lines = ['<?xml version="1.0"?>', f"<!-- Made by scripts/{maker}. -->", f'<robot name="{name}">']
     materials = {material[0]: material[1] for material in (part.material for part in parts)}
-    for material, colour in materials.items():
-        lines += [f'  <material name="{material}">', f'    <color rgba="{numbers(colour)} 1"/>', "  </material>"]
+    lines += material_lines(materials.items())
     lines.append(f'  <link name="{name}"/>')
     for part in parts:
-        geometry = f'      <geometry><mesh filename="{PACKAGE}/meshes/{folder}{part.name}.stl"/></geometry>'
-        lines += [f'  <link name="{part.name}">', "    <visual>", geometry]
-        lines += [f'      <material name="{part.material[0]}"/>', "    </visual>"]
-        lines += ["    <collision>", geometry, "    </collision>", "  </link>"]
+        lines += link_lines(part.name, part, folder)
         lines += [f'  <joint name="{part.name}_joint" type="{part.joint}">']
         lines += [f'    <parent link="{name}"/>', f'    <child link="{part.name}"/>']
         lines += [f'    <origin xyz="{numbers(part.origin)}" rpy="0 0 0"/>']
@@ -75,3 +89,32 @@ def urdf_text(name, parts, folder="", maker="make_engine_bay"):
             lines += [f'    <axis xyz="{numbers(part.axis)}"/>']
         lines += ["  </joint>"]
     return "\n".join([*lines, "</robot>", ""])
+
+
+def main(script, description, outputs, stored=None):
+    """A program that makes files: writes those that differ, or, with --check, names them. Its exit code.
+
+    script: its file, in scripts/ of the package. outputs(): contents by path in the package, and the number of triangles
+    by mesh. stored(package): paths of the files that are there; those that `outputs` has not are wrong, and are removed.
+    """
+    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--check", action="store_true", help="compare with the package's files, write nothing")
+    arguments = parser.parse_args()
+    script = pathlib.Path(script).resolve()
+    package = script.parent.parent
+    contents, triangles = outputs()
+    superfluous = sorted(set(stored(package)) - set(contents)) if stored else []
+    changed = [path for path, data in contents.items() if not same_file(package / path, data)]
+    if arguments.check:
+        for path in changed + superfluous:
+            print(f"{path} is not what scripts/{script.name} makes", file=sys.stderr)
+        return 1 if changed + superfluous else 0
+    for path in changed:
+        (package / path).parent.mkdir(exist_ok=True)
+        (package / path).write_bytes(contents[path])
+    for path in superfluous:
+        (package / path).unlink()
+    for name, count in triangles.items():
+        print(f"{name:20} {count:7} triangles")
+    print(f"{'in all':20} {sum(triangles.values()):7} triangles, {sum(map(len, contents.values())) / 1e6:.2f} MB")
+    return 0
