@@ -9,12 +9,8 @@ namespace cable_variation {
 
 namespace {
 
-constexpr double kMillimetres = 1e3;
-
 double sixSigma(const SectionVariation& section) { return 6.0 * section.axes.sigma[0]; }
 double range(const SectionVariation& section) { return section.range.maxCoeff(); }
-
-std::string millimetres(double value) { return figure(kMillimetres * value, 4); }
 
 /// 6σ and range over the arc length.
 std::string alongChart(const CableVariation& cable) {
@@ -65,7 +61,6 @@ ReportTable largestTable(const Scene& scene, const Simulation& simulation) {
     const auto i = static_cast<std::size_t>(largest - cable.sections.begin());
     const Eigen::Vector3d direction = largest->axes.directions.col(0);
     const Eigen::Vector3d& mean = largest->mean;
-    const auto plain = [](const std::string& text) { return ReportCell{text, 0.0, false}; };
     table.rows.push_back(
         {plain(scene.harness.cables[cable.cable].name), plain(millimetres(sixSigma(*largest))),
          plain(millimetres(range(*largest))), plain(millimetres(cable.arc_length[i])),

@@ -7,17 +7,10 @@
 #include <cable_variation/report/deviation_text.h>
 #include <cable_variation/report/markup.h>
 #include <cable_variation/report/verdict_table.h>
-#include <cable_variation/util/display_unit.h>
 
 namespace cable_variation {
 
 namespace {
-
-ReportCell plain(const std::string& text) { return {text, 0.0, false}; }
-
-std::string millimetres(double metres, int digits = 4) {
-  return figure(displayUnit("m").factor * metres, digits);
-}
 
 /// A bound of a share, rounded up to two digits.
 std::string boundText(double share) {

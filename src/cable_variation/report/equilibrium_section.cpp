@@ -6,17 +6,10 @@
 #include <cable_variation/equilibrium/bend_radius.h>
 #include <cable_variation/report/cable_profile.h>
 #include <cable_variation/report/markup.h>
-#include <cable_variation/util/display_unit.h>
 
 namespace cable_variation {
 
 namespace {
-
-ReportCell plain(const std::string& text) { return {text, 0.0, false}; }
-
-std::string millimetres(double metres, int digits = 4) {
-  return figure(displayUnit("m").factor * metres, digits);
-}
 
 ReportTable shapeTable(const SolvedScene& solved) {
   ReportTable table{"Cables",

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <cable_variation/util/display_unit.h>
 #include <cable_variation/util/number_text.h>
 #include <cable_variation/util/utf8.h>
 
@@ -63,6 +64,10 @@ std::string figure(double value, int digits) {
   // A true minus sign has the width of a digit.
   if (result[0] == '-') result.replace(0, 1, "−");
   return result;
+}
+
+std::string millimetres(double metres, int digits) {
+  return figure(displayUnit("m").factor * metres, digits);
 }
 
 std::string percent(double share) { return figure(100.0 * share, 3) + " %"; }

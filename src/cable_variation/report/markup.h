@@ -14,6 +14,8 @@ std::string warningHtml(const std::string& text);
 /// A figure for a person, to `digits` significant ones, without trailing zeros; not a number: a dash.
 std::string figure(double value, int digits = 4);
 
+std::string millimetres(double metres, int digits = 4);  ///< a figure, without its unit
+
 std::string percent(double share);  ///< to three figures
 
 /// A share of production that is no good: a small one in parts per million too, a very small one in these

@@ -8,8 +8,8 @@
 #include <cable_variation/report/simulation_section.h>
 #include <cable_variation/report/stability_section.h>
 #include <cable_variation/report/summary_section.h>
-#include <cable_variation/util/version.h>
 #include <cable_variation/util/display_unit.h>
+#include <cable_variation/util/version.h>
 
 namespace cable_variation {
 

@@ -15,6 +15,9 @@ struct ReportCell {
   Tone tone = Tone::plain;
 };
 
+/// Text alone.
+inline ReportCell plain(const std::string& text) { return {text, 0.0, false}; }
+
 struct ReportTable {
   std::string caption;
   std::vector<std::string> columns;           ///< headings; a line break for a unit below

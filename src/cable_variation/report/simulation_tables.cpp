@@ -21,8 +21,6 @@ std::string between(const ConfidenceInterval& interval, double factor, int digit
   return low + " … " + high;
 }
 
-ReportCell plain(const std::string& text) { return {text, 0.0, false}; }
-
 ReportCell optional(const std::optional<double>& value, double factor, int digits = 4) {
   return plain(value ? figure(factor * *value, digits) : "");
 }

@@ -1,7 +1,8 @@
 #include <cable_variation/report/stability_tables.h>
-#include <cable_variation/util/display_unit.h>
 
 #include <cmath>
+
+#include <cable_variation/util/display_unit.h>
 
 namespace cable_variation {
 

@@ -42,8 +42,6 @@ std::string propertyText(CableProperty::Property property) {
   return "";
 }
 
-ReportCell plain(const std::string& text) { return {text, 0.0, false}; }
-
 std::string signedFigure(double value) { return (value > 0.0 ? "+" : "") + figure(value); }
 
 std::string toleranceText(const DesignVariable& variable, double factor) {

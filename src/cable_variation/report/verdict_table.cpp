@@ -10,8 +10,6 @@ namespace cable_variation {
 
 namespace {
 
-ReportCell plain(const std::string& text) { return {text, 0.0, false}; }
-
 bool any(const std::vector<MeasureVerdict>& verdicts, double MeasureVerdict::*figure) {
   return std::any_of(verdicts.begin(), verdicts.end(),
                      [&](const MeasureVerdict& each) { return !std::isnan(each.*figure); });
