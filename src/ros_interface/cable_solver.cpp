@@ -65,13 +65,14 @@ CableSolver::CableSolver(ros::NodeHandle node, const CableSolverParameters& para
   ROS_INFO("cable_solver is up with %s: %zu cables, %zu clips, %s", context_.design().scene.source.c_str(),
            context_.harness().cables.size(), context_.harness().clips.size(),
            context_.equilibrium().converged() ? "in equilibrium" : "without an equilibrium");
-  if (!parameters.live) warnOfDriven(context_.design().scene);
   if (parameters.live) {
     const TfFollowerOptions options{parameters.live_rate_hz, parameters.tf_timeout};
     follower_ = std::make_unique<TfFollower>(
         node_, context_, options,
         [this](const std::vector<cable_variation::CableEvent>& events) { events_.publish(events); });
     diagnostics_.watchTf([this] { return follower_->late(); });
+  } else {
+    warnOfDriven(context_.design().scene);
   }
 }
 

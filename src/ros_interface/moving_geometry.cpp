@@ -7,6 +7,7 @@
 
 #include <ros/console.h>
 
+#include <cable_variation/scene/deviations.h>
 #include <cable_variation/scene/moving_components.h>
 #include <cable_variation/util/name_list.h>
 #include <ros_interface/conversion/message_conversion.h>
@@ -28,8 +29,7 @@ const ros::WallDuration kPatience(5.0);     // with joints that no message tells
 constexpr int kJointQueue = 100;            // messages
 
 const Component& componentOf(const Scene& scene, const Motion& motion) {
-  return *std::find_if(scene.components.begin(), scene.components.end(),
-                       [&](const Component& component) { return component.name == motion.component; });
+  return scene.components[componentIndex(scene, motion.component)];
 }
 
 // Without the motions of what others drive.
