@@ -192,7 +192,7 @@ class Sensitivity : public testing::TestWithParam<NamedHarness> {
   // system.
   static EquilibriumOptions onOneGrid() {
     EquilibriumOptions options;
-    options.accuracy = options.eigenvalue_accuracy = 1.0;
+    options.accuracy = options.force_accuracy = options.eigenvalue_accuracy = 1.0;
     return options;
   }
 

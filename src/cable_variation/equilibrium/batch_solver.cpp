@@ -31,7 +31,8 @@ constexpr double kFreeDisplacement = 0.02;
 constexpr double kFreeRotation = 0.1;
 // As EquilibriumSolver bears.
 constexpr double kLargestStretch = 0.1;
-// The share of the accuracy that the nominal shape is brought to, since others on its grid are less accurate.
+// The share of the errors allowed that the nominal shape is brought to, since others on its grid are less
+// accurate.
 constexpr double kReserve = 0.5;
 
 // Steps, and how many of them with a new Hessian: two bring most harnesses so close that its factors serve to
@@ -80,12 +81,13 @@ const char* toString(BatchStatus status) {
 
 // What batches start from.
 struct BatchSolver::Nominal {
-  Nominal(const Problem& of, double accuracy_asked)
+  Nominal(const Problem& of, const EquilibriumOptions& options)
       : problem(of),
         merged(problem.harness),
         tolerance(residualTolerance(*problem.system)),
         length(largestArcLength(problem.configuration)),
-        accuracy(accuracy_asked) {
+        accuracy(options.accuracy),
+        force_accuracy(options.force_accuracy) {
     merged.setGrid(coarsen(problem.system->grid()));
     merged.configuration = transfer(problem.configuration, problem.system->grid(), merged.system->grid());
     merged.system->evaluate(merged.configuration, RodSystem::Hessian::none);
@@ -98,6 +100,7 @@ struct BatchSolver::Nominal {
   double tolerance;  // [N]
   double length;     // [m]
   double accuracy;   // [m]
+  double force_accuracy;
   std::unique_ptr<LaneSystem> system, merged_system;
 };
 
@@ -125,8 +128,7 @@ struct BatchSolver::Lanes {
 };
 
 BatchSolver::BatchSolver(const EquilibriumSolver& nominal)
-    : nominal_(std::make_shared<const Nominal>(
-          nominal.refined(kReserve * nominal.options().accuracy).problem(), nominal.options().accuracy)),
+    : nominal_(std::make_shared<const Nominal>(nominal.refined(kReserve).problem(), nominal.options())),
       lanes_(std::make_unique<Lanes>(*nominal_)) {}
 
 BatchSolver::~BatchSolver() = default;
@@ -252,12 +254,15 @@ void BatchSolver::Lanes::judgeGrid() {
   merged.evaluate(true);
   merged.step();
   merged.move({}, false);  // only its size counts
+  const LaneSystem::Lanes force_error = merged.forceErrors(system);
   for (std::size_t i = 0; i < count; ++i) {
     if (!solved[i]) continue;
     const bool positive = merged.negativePivots()[i] == 0;
-    outcomes[i].discretisation_error =
+    BatchOutcome& outcome = outcomes[i];
+    outcome.discretisation_error =
         positive ? errorOfFiner(merged.displacement()[i], nominal.length) : INFINITY;
-    if (!(outcomes[i].discretisation_error <= nominal.accuracy)) outcomes[i].status = BatchStatus::too_coarse;
+    if (!(outcome.discretisation_error <= nominal.accuracy) || !(force_error[i] <= nominal.force_accuracy))
+      outcome.status = BatchStatus::too_coarse;
   }
 }
 

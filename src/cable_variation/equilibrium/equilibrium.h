@@ -82,7 +82,7 @@ struct Equilibrium {
   EquilibriumStatus status = EquilibriumStatus::not_converged;
   std::string message;             ///< for a person; names the cable or clip when status is not converged
   std::vector<std::string> notes;  ///< what a person should know of a converged one: twist that was asked for
-                                   ///< and became loops
+                                   ///< and became loops; forces that are known less well than asked for
   int iterations = 0;              ///< Newton steps, all starts and grids together
   double residual = 0.0;  ///< largest out-of-balance force [N] (moments over the cable's radius of gyration)
   double discretisation_error = 0.0;  ///< estimate of the centreline's distance from the continuum [m]
@@ -98,7 +98,10 @@ struct Equilibrium {
 };
 
 struct EquilibriumOptions {
-  double accuracy = 1e-4;   ///< of every centreline [m], above 0; the grid adapts to it
+  double accuracy = 1e-4;  ///< of every centreline [m], above 0; the grid adapts to it
+  /// Of forces and moments at clips, joints and loads, over the largest in their cable, and five times as
+  /// many radians of sections' directions; the grid adapts to it. Above 0.
+  double force_accuracy = 1e-3;
   bool multi_start = true;  ///< look for the lowest of several stable equilibria when solving from nothing
   bool eigenvalue = true;   ///< compute smallest_eigenvalue (stability itself is always checked)
   /// Of smallest_eigenvalue, relative to itself or to a hundredth of the softest bending stiffness; the grid
@@ -158,8 +161,8 @@ class EquilibriumSolver {
   friend class BatchSolver;
   const Problem& problem() const;  // throws std::logic_error when there is no equilibrium
   const EquilibriumOptions& options() const;
-  /// A copy whose shape is brought to `accuracy` [m].
-  EquilibriumSolver refined(double accuracy) const;
+  /// A copy whose shape is brought to a `share` of the errors that the options allow.
+  EquilibriumSolver refined(double share) const;
 
   struct Impl;
   std::unique_ptr<Impl> impl_;

@@ -123,6 +123,7 @@ void validate(const EquilibriumOptions& options) {
     throw std::invalid_argument(text.str());
   };
   require(options.accuracy > 0.0, "accuracy", options.accuracy, "more than 0 m");
+  require(options.force_accuracy > 0.0, "force_accuracy", options.force_accuracy, "more than 0");
   require(options.eigenvalue_accuracy > 0.0, "eigenvalue_accuracy", options.eigenvalue_accuracy,
           "more than 0");
   require(options.max_iterations >= 1, "max_iterations", options.max_iterations, "at least 1");
@@ -164,9 +165,10 @@ const Problem& EquilibriumSolver::problem() const {
 
 const EquilibriumOptions& EquilibriumSolver::options() const { return impl_->options; }
 
-EquilibriumSolver EquilibriumSolver::refined(double accuracy) const {
+EquilibriumSolver EquilibriumSolver::refined(double share) const {
   EquilibriumSolver finer(*this);
-  finer.impl_->options.accuracy = accuracy;
+  finer.impl_->options.accuracy *= share;
+  finer.impl_->options.force_accuracy *= share;
   finer.impl_->options.eigenvalue = false;
   finer.update(Harness(problem().harness));
   return finer;

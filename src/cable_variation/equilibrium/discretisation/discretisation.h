@@ -10,13 +10,29 @@ namespace cable_variation {
 struct DiscretisationError {
   NodalField step;          ///< from the fine grid's equilibrium to the coarse one's
   double centreline = 0.0;  ///< estimate of the largest distance [m]
+  /// Per cable: estimate for the forces and moments at the ends of its spans, over the largest in it, and for
+  /// the directions of its sections' normals over kDirections [rad]; what EquilibriumOptions::force_accuracy
+  /// is for.
+  std::vector<double> force;
   std::vector<std::vector<double>>
       contribution;  ///< per span and pair of elements: energy the pair's halves differ by [J]
 };
 
+/// What the directions of sections are measured over where forces are over the largest [rad].
+constexpr double kDirections = 5.0;
+
 /// The error of a grid whose equilibrium differs by `difference` [m] from that with every pair of elements
 /// merged, on cables of `length` [m]: what a method of the order that can be counted on leaves.
 double errorOfFiner(double difference, double length);
+
+/// Of the forces or the moments at the ends of a cable: what refining may still change them by, over the
+/// largest in the cable. Two grids differ by `difference`, one with every pair of elements merged. `least`:
+/// what is smaller counts as none.
+double endForceError(double difference, double largest, double least);
+
+/// The moment that counts as none in a cable of bending stiffness EI [N m²]: what bends it by a hundredth of
+/// a radian along its length. Over the length: the force.
+double negligibleMoment(double bending_stiffness, double length);
 
 /// Compares the equilibrium of `fine`, also given as `on_coarse`, with that of `coarse`,
 /// the same harness on the grid with every pair of elements merged: a Newton

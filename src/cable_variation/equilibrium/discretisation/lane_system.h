@@ -58,6 +58,8 @@ class LaneSystem {
   /// Largest displacement [m] and rotation [rad] of the motion last solved for, per lane.
   const Lanes& displacement() const { return displacement_; }
   const Lanes& rotation() const { return rotation_; }
+  /// After step(), per lane: DiscretisationError::force, the worst of all cables. `fine` is what was merged.
+  Lanes forceErrors(const LaneSystem& fine) const;
   /// Moves the active lanes by the motion; before an evaluation with the Hessian, with the section forces
   /// predicted along the way.
   void move(const Flags& active, bool predict_stress);
@@ -75,6 +77,7 @@ class LaneSystem {
   struct Element;
   struct SpanLanes;
   struct Lane;
+  struct ForceChange;
 
   void loadRod(int lane, std::size_t span);
   void putEnds(int lane);
@@ -91,6 +94,9 @@ class LaneSystem {
   Vector6d endForce(std::size_t span, int end, int lane) const;
   Vector6d sectionForce(std::size_t span, std::size_t boundary, int lane) const;
   Pose pose(std::size_t span, std::size_t boundary, int lane) const;
+  ForceChange forceChange(const LaneSystem& fine, const std::vector<std::size_t>& spans) const;
+  static void forceAfter(const Element& at, int end, double (*after)[kLanes]);
+  static double forceError(const ForceChange& change, double length, std::size_t lane);
 
   const Problem& problem_;
   std::vector<Element> elements_;

@@ -2,6 +2,10 @@
 
 // What LaneSystem is made of; for its own sources only.
 
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
 #include <Eigen/Dense>
 
 #include <cable_variation/equilibrium/discretisation/lane_system.h>
@@ -44,6 +48,17 @@ struct LaneSystem::SpanLanes {
   const NodeRows& right() const { return node(role.reversed ? 0 : count); }
   NodeRows& left() { return node(role.reversed ? count : 0); }
   NodeRows& right() { return node(role.reversed ? 0 : count); }
+};
+
+/// Of a cable, per lane: how far its force, its moment and its sections' normals move from the fine grid's
+/// equilibrium to the merged one's, and what that is measured over; all but the stiffness squared.
+struct alignas(64) LaneSystem::ForceChange {
+  ForceChange() { std::fill(std::begin(softest), std::end(softest), INFINITY); }
+
+  double force[element::kLanes]{}, moment[element::kLanes]{};  ///< at the spans' ends
+  double tilt[element::kLanes]{};                              ///< [rad²]
+  double largest_force[element::kLanes]{}, largest_moment[element::kLanes]{};
+  double softest[element::kLanes];  ///< EI [N m²]
 };
 
 /// One harness: its numbers, and its stations.

@@ -39,6 +39,8 @@ class RodSystem {
   void harnessChanged();
   ~RodSystem();
 
+  const Harness& harness() const { return harness_; }
+  const Topology& topology() const { return topology_; }
   const Grid& grid() const { return grid_; }
   const StationUnknowns& unknowns() const { return unknowns_; }
   std::size_t elementCount(std::size_t span) const { return grid_[span].size() - 1; }
@@ -73,6 +75,8 @@ class RodSystem {
   double residual() const;
   /// What a span's moments are measured over in a residual [m].
   double gyration(std::size_t span) const;
+  /// The smallest EI along a span [N m²].
+  double bendingStiffness(std::size_t span) const;
   /// The span with the largest out-of-balance force at its inner nodes.
   std::size_t worstSpan() const;
   /// The size of the forces that must cancel in it, with rounding: a residual below this is noise.
@@ -146,6 +150,9 @@ class RodSystem {
   /// span needs at an element boundary `node` (0 to elementCount): from the element on its left, or the
   /// first.
   Vector6d sectionForce(std::size_t span, std::size_t boundary) const;
+
+  /// After solve(): endForce() once its motion is made, to first order.
+  Vector6d endForceAfter(const NodalField& motion, std::size_t span, int end) const;
 
  private:
   friend class LinearResponse;

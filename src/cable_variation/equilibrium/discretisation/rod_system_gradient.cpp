@@ -114,6 +114,8 @@ double RodSystem::residual(std::size_t span) const {
 
 double RodSystem::gyration(std::size_t span) const { return spans_[span].gyration; }
 
+double RodSystem::bendingStiffness(std::size_t span) const { return spans_[span].bending_stiffness; }
+
 double RodSystem::residual() const {
   double largest = 0.0;
   for (std::size_t i = 0; i < spans_.size(); ++i) {

@@ -283,6 +283,26 @@ void RodSystem::solve(const NodalField& force, NodalField& motion) {
   expand(ends, motion);
 }
 
+Vector6d RodSystem::endForceAfter(const NodalField& motion, std::size_t span, int end) const {
+  const std::size_t e = end == 0 ? 0 : spans_[span].elements - 1;
+  const Element at = elementOf(span, e);
+  const Batch& batch = batches_[at.batch];
+  alignas(64) double force[kDofs][kLanes] = {};  // of the inner nodes, which carry it to the ends
+  for (int k = 0; k < kInner; ++k) force[k][at.lane] = -batch.energy.gradient[k][at.lane];
+  element::kernel().condense(batch.factor, force);
+  const auto left = static_cast<Eigen::Index>(3 * e);
+  Vector6d after = endForce(span, end) + endStiffness(at, end, 0) * motion.spans[span].col(left) +
+                   endStiffness(at, end, 1) * motion.spans[span].col(left + 3);
+  for (int k = 0; k < 6; ++k) after[k] -= force[kInner + 6 * end + k][at.lane];
+  for (int side = 0; side < 2; ++side) {
+    const int slide = unknowns_.slide(side == 0 ? topology_.spans[span].left : topology_.spans[span].right);
+    if (slide < 0) continue;
+    for (int k = 0; k < 6; ++k)
+      after[k] += batch.slide[side][kInner + 6 * end + k][at.lane] * motion.unknowns[slide];
+  }
+  return after;
+}
+
 void RodSystem::follow(const Eigen::Matrix<double, 6, Eigen::Dynamic>& carried, NodalField& motion) {
   motion = zeroField();
   solveCarried(carried, motion, true);

@@ -5,7 +5,6 @@
 #include <sstream>
 #include <utility>
 
-#include <cable_variation/equilibrium/discretisation/discretisation.h>
 #include <cable_variation/equilibrium/discretisation/equilibrium_result.h>
 #include <cable_variation/equilibrium/search/smallest_eigenvalue.h>
 #include <cable_variation/equilibrium/search/start_search.h>
@@ -17,6 +16,8 @@ namespace {
 // A harness goes to another one in pieces that turn no clip by more than this [rad].
 constexpr double kLargestPiece = 0.35;
 constexpr int kRefinements = 7;
+// The layer in which a taut cable bends beside a clamp may be a ten-thousandth of its length.
+constexpr int kRefinementsForForces = 14;
 
 // The clips on their way from `from` to `to`.
 Harness between(const Harness& from, const Harness& to, double t) {
@@ -76,7 +77,8 @@ bool Branch::tighten(Equilibrium& result) {
   problem_.coarse->soften(kSearchSlenderness, problem_.configuration);
   system->evaluate(problem_.configuration, RodSystem::Hessian::none);
   softened_ = kSearchSlenderness;
-  if (!adaptGrid(std::max(options_.accuracy, kRough * largestArcLength(problem_.configuration)), result))
+  if (!adaptGrid(std::max(options_.accuracy, kRough * largestArcLength(problem_.configuration)), false,
+                 result))
     return false;
   double growth = system->slides() ? kGrowth : INFINITY;
   system = problem_.system.get();
@@ -135,10 +137,47 @@ Branch::OnGrid Branch::refineGrid(const std::vector<std::vector<bool>>& marked,
   return before;
 }
 
-bool Branch::adaptGrid(Equilibrium& result) { return adaptGrid(options_.accuracy, result); }
+void Branch::restoreGrid(OnGrid before) {
+  problem_.system = std::move(before.system);
+  problem_.coarse = std::move(before.coarse);
+  problem_.configuration = std::move(before.configuration);
+}
 
-bool Branch::adaptGrid(double accuracy, Equilibrium& result) {
-  for (int round = 0; round <= kRefinements; ++round) {
+// The pairs of elements with most of the error in energy: of all, and of each cable whose forces or
+// directions are not yet right. What is split does not depend on the accuracy of the centreline, so that a
+// grid for half of it is one for the whole, refined.
+std::vector<std::vector<bool>> Branch::pairsThatMatter(const DiscretisationError& error, bool forces) const {
+  constexpr double kMatters = 0.02;  // of the largest
+  std::vector<double> largest(problem_.harness.cables.size(), 0.0);
+  for (std::size_t i = 0; i < error.contribution.size(); ++i) {
+    double& of = largest[problem_.topology.spans[i].cable];
+    for (double c : error.contribution[i]) of = std::max(of, c);
+  }
+  const double largest_of_all = *std::max_element(largest.begin(), largest.end());
+  std::vector<std::vector<bool>> marked;
+  for (std::size_t i = 0; i < error.contribution.size(); ++i) {
+    const std::size_t cable = problem_.topology.spans[i].cable;
+    const bool own = forces && error.force[cable] > options_.force_accuracy;
+    const double from = kMatters * (own ? largest[cable] : largest_of_all);
+    marked.emplace_back();
+    for (double c : error.contribution[i])
+      marked.back().push_back(c >= from || !std::isfinite(error.centreline));
+  }
+  return marked;
+}
+
+bool Branch::adaptGrid(Equilibrium& result) { return adaptGrid(options_.accuracy, true, result); }
+
+bool Branch::adaptGrid(double accuracy, bool forces, Equilibrium& result) {
+  // An error below so many times what is allowed gets smaller by half within so many refinements, or is
+  // rounding.
+  constexpr double kResolved = 20.0, kSmaller = 0.5;
+  constexpr int kPatience = 3;
+  OnGrid before;
+  double best = INFINITY;
+  int best_round = 0;
+  const int most_rounds = forces ? kRefinementsForForces : kRefinements;
+  for (int round = 0;; ++round) {
     result.shapes =
         describeShapes(problem_.harness, problem_.topology, *problem_.system, problem_.configuration);
     const Configuration on_coarse =
@@ -146,19 +185,24 @@ bool Branch::adaptGrid(double accuracy, Equilibrium& result) {
     const DiscretisationError error =
         estimateDiscretisation(*problem_.system, *problem_.coarse, on_coarse, !unstable_);
     result.discretisation_error = error.centreline;
-    if (error.centreline <= accuracy) return true;
-    if (round == kRefinements) break;
-    double largest = 0.0;
-    for (const auto& span : error.contribution) {
-      for (double c : span) largest = std::max(largest, c);
+    force_error_ = *std::max_element(error.force.begin(), error.force.end());
+    const double excess = force_error_ / options_.force_accuracy;
+    if (excess < kSmaller * best) {
+      best = excess;
+      best_round = round;
     }
-    std::vector<std::vector<bool>> marked;
-    for (const auto& span : error.contribution) {
-      marked.emplace_back();
-      for (double c : span) marked.back().push_back(c >= 0.02 * largest || !std::isfinite(error.centreline));
+    if (error.centreline <= accuracy) {
+      const bool rounding = excess < kResolved && round - best_round >= kPatience;
+      if (!forces || unstable_ || excess <= 1.0 || rounding || round == most_rounds) return true;
+    } else if (round >= most_rounds) {
+      break;
     }
-    refineGrid(marked, result.shapes);
-    if (!descend(unstable_ || !problem_.system->conservative(), StartStress::held, result)) break;
+    before = refineGrid(pairsThatMatter(error, forces), result.shapes);
+    if (descend(unstable_ || !problem_.system->conservative(), StartStress::held, result)) continue;
+    if (!(error.centreline <= accuracy)) break;
+    restoreGrid(std::move(before));  // leaves it as good as it was
+    problem_.system->evaluate(problem_.configuration, RodSystem::Hessian::none);
+    return true;
   }
   result.shapes.clear();
   return false;
@@ -217,9 +261,7 @@ void Branch::findEigenvalue(Equilibrium& result) {
     for (std::size_t i = 0; i < coarse.grid().size(); ++i) all.emplace_back(coarse.elementCount(i), true);
     OnGrid before = refineGrid(all, result.shapes);
     if (!descend(false, StartStress::held, result)) {  // leaves it as good as it was
-      problem_.system = std::move(before.system);
-      problem_.coarse = std::move(before.coarse);
-      problem_.configuration = std::move(before.configuration);
+      restoreGrid(std::move(before));
       return;
     }
     result.shapes =
@@ -243,12 +285,22 @@ bool Branch::lostInRounding(Equilibrium& result) const {
   return true;
 }
 
+void Branch::noteForces(Equilibrium& result) const {
+  if (unstable_) return;
+  if (force_error_ <= options_.force_accuracy) return;
+  std::ostringstream text;
+  text << "forces and moments at clips, joints and loads are known to " << force_error_
+       << " of the largest in their cable only, instead of " << options_.force_accuracy;
+  result.notes.push_back(text.str());
+}
+
 void Branch::finish(Equilibrium& result) {
   if (lostInRounding(result)) return;
   if (options_.eigenvalue || unstable_) findEigenvalue(result);
   describe(problem_.harness, problem_.topology, *problem_.system, problem_.configuration, result);
   if (overstretched(result)) return;
   result.status = EquilibriumStatus::converged;
+  noteForces(result);
   if (unstable_) {
     std::ostringstream text;
     text << "the only equilibrium found is unstable: the smallest eigenvalue is "

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include <cable_variation/equilibrium/discretisation/discretisation.h>
 #include <cable_variation/equilibrium/discretisation/problem.h>
 #include <cable_variation/equilibrium/equilibrium.h>
 #include <cable_variation/equilibrium/search/minimise.h>
@@ -37,8 +38,9 @@ class Branch {
   /// they grow to those of `harness`, and is stable as long as it passes no singular point. Else says in the
   /// result what happened.
   bool growMoments(const Harness& harness, Equilibrium& result);
-  /// Refines until the estimated error is below the accuracy asked for. The system ends with its gradient at
-  /// the configuration, and the result with the shapes there.
+  /// Refines until the estimated errors are below the accuracies asked for, of forces and directions as far
+  /// as rounding lets it. The system ends with its gradient at the configuration, and the result with the
+  /// shapes there.
   bool adaptGrid(Equilibrium& result);
   /// To the shape of `harness`, which differs from the one at hand in numbers only; it has been checked that
   /// `topology` is alike. False: the branch ends on the way.
@@ -50,21 +52,25 @@ class Branch {
  private:
   bool descend(bool settle, StartStress stress, Equilibrium& result,
                int most_iterations = std::numeric_limits<int>::max());
-  bool adaptGrid(double accuracy, Equilibrium& result);
+  bool adaptGrid(double accuracy, bool forces, Equilibrium& result);
   void carryTo(const Harness& harness, Topology topology);
   struct OnGrid {
     std::unique_ptr<RodSystem> system, coarse;
     Configuration configuration;
   };
   OnGrid refineGrid(const std::vector<std::vector<bool>>& marked, const std::vector<CableShape>& shapes);
+  void restoreGrid(OnGrid before);
+  std::vector<std::vector<bool>> pairsThatMatter(const DiscretisationError& error, bool forces) const;
   bool overstretched(Equilibrium& result) const;
   bool lostInRounding(Equilibrium& result) const;
   void findEigenvalue(Equilibrium& result);
+  void noteForces(Equilibrium& result) const;
 
   EquilibriumOptions options_;
   Problem problem_;
   double softened_ = INFINITY;  // slenderness that the systems are softened to
   bool unstable_ = false;
+  double force_error_ = 0.0;
 };
 
 /// More stretch than this is outside what a linear law and a real cable bear.
