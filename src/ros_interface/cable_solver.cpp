@@ -42,6 +42,7 @@ CableSolver::CableSolver(ros::NodeHandle node, const CableSolverParameters& para
       get_scene_(node_, context_),
       load_scene_(node_, context_),
       design_(node_, context_),
+      set_attachment_(node_, context_, {shape_watch_, measured_}),
       check_forbidden_region_(node_, context_, interference_, OutputDirectory(parameters.output_directory)),
       runner_(context_, spinning_, names_,
               {parameters.threads, parameters.memory_limit, OutputDirectory(parameters.output_directory)}),
@@ -69,6 +70,9 @@ CableSolver::CableSolver(ros::NodeHandle node, const CableSolverParameters& para
     const TfFollowerOptions options{parameters.live_rate_hz, parameters.tf_timeout};
     follower_ = std::make_unique<TfFollower>(
         node_, context_, options,
+        [this](const std::vector<cable_variation::CableEvent>& events) { events_.publish(events); });
+    attachments_ = std::make_unique<AttachmentFollower>(
+        node_, context_,
         [this](const std::vector<cable_variation::CableEvent>& events) { events_.publish(events); });
     diagnostics_.watchTf([this] { return follower_->late(); });
   } else {

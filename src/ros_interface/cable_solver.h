@@ -19,6 +19,7 @@
 #include <ros_interface/display/live_publisher.h>
 #include <ros_interface/display/solver_publisher.h>
 #include <ros_interface/display/variation_publisher.h>
+#include <ros_interface/live/attachment_follower.h>
 #include <ros_interface/live/event_publisher.h>
 #include <ros_interface/live/shape_watch.h>
 #include <ros_interface/live/tf_follower.h>
@@ -36,6 +37,7 @@
 #include <ros_interface/services/get_scene_service.h>
 #include <ros_interface/services/load_scene_service.h>
 #include <ros_interface/services/run_action_server.h>
+#include <ros_interface/services/set_attachment_service.h>
 #include <ros_interface/services/solve_equilibrium_service.h>
 
 namespace cable_variation_ros {
@@ -73,6 +75,7 @@ class CableSolver {
   GetSceneService get_scene_;
   LoadSceneService load_scene_;
   DesignService design_;
+  SetAttachmentService set_attachment_;
   CheckForbiddenRegionService check_forbidden_region_;
   Runner runner_;
   RequestRunner<EnvelopeRun> envelopes_;
@@ -83,6 +86,7 @@ class CableSolver {
   RunActionServer<cable_variation::SimulateVariationAction, SimulationRun> simulate_variation_action_;
   ros::WallTime shown_;  ///< last
   std::unique_ptr<TfFollower> follower_;
+  std::unique_ptr<AttachmentFollower> attachments_;
 };
 
 }  // namespace cable_variation_ros

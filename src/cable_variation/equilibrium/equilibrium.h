@@ -147,6 +147,13 @@ class EquilibriumSolver {
   /// it in numbers only (poses, lengths, stiffness, loads); else as solve().
   Equilibrium update(const Harness& harness);
 
+  /// From given shapes, one per cable, of another harness of the same cables: the equilibrium that the
+  /// harness comes to rest in when it is let go there. A stable one that is reached by going down in energy;
+  /// which one, the shapes decide, no other is looked for. Clips and joints first pull what they hold into
+  /// place; of a sliding clip, `arc_length` says which section that is. Throws std::invalid_argument for
+  /// shapes of other cables, and as solve().
+  Equilibrium solveFrom(const Harness& harness, const std::vector<CableShape>& shapes);
+
   /// How the equilibrium of the last converged call changes with variables of the
   /// harness, to first order: exact derivatives of the discrete equilibrium, by
   /// implicit differentiation with one factorisation for all. Throws

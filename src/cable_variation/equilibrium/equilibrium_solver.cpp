@@ -11,6 +11,7 @@
 #include <cable_variation/equilibrium/search/branch.h>
 #include <cable_variation/equilibrium/search/initial_shape.h>
 #include <cable_variation/equilibrium/search/lowest_shape.h>
+#include <cable_variation/equilibrium/search/shape_from.h>
 #include <cable_variation/util/seconds_since.h>
 
 namespace cable_variation {
@@ -36,6 +37,7 @@ struct EquilibriumSolver::Impl {
 
   Equilibrium solve(const Harness& harness);
   Equilibrium update(const Harness& harness);
+  Equilibrium solveFrom(const Harness& harness, const std::vector<CableShape>& shapes);
 
   std::vector<EquilibriumRate> differentiate(const std::vector<HarnessRate>& variables);
   std::vector<double> eigenvalueRates(const std::vector<HarnessRate>& variables);
@@ -67,6 +69,17 @@ Equilibrium EquilibriumSolver::Impl::update(const Harness& harness) {
   branch->setOptions(options);
   if (!branch->follow(harness, topology, result)) return solve(harness);  // the branch ends here
   branch->finish(result);
+  if (!result.converged()) branch.reset();
+  result.solve_time = secondsSince(start);
+  return result;
+}
+
+Equilibrium EquilibriumSolver::Impl::solveFrom(const Harness& harness,
+                                               const std::vector<CableShape>& shapes) {
+  const auto start = Clock::now();
+  Equilibrium result;
+  branch = shapeFrom(harness, shapes, options, result);
+  if (branch) branch->finish(result);
   if (!result.converged()) branch.reset();
   result.solve_time = secondsSince(start);
   return result;
@@ -150,6 +163,9 @@ void EquilibriumSolver::setOptions(const EquilibriumOptions& options) {
 }
 Equilibrium EquilibriumSolver::solve(const Harness& harness) { return impl_->solve(harness); }
 Equilibrium EquilibriumSolver::update(const Harness& harness) { return impl_->update(harness); }
+Equilibrium EquilibriumSolver::solveFrom(const Harness& harness, const std::vector<CableShape>& shapes) {
+  return impl_->solveFrom(harness, shapes);
+}
 std::vector<EquilibriumRate> EquilibriumSolver::differentiate(const std::vector<HarnessRate>& variables) {
   return impl_->differentiate(variables);
 }

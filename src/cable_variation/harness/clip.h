@@ -61,7 +61,8 @@ struct Clip {
   std::size_t cable = 0;    ///< index into Harness::cables
   double arc_length = 0.0;  ///< s_c [m]; of a sliding clip, where the search for it starts
   ClipConstraint constraint;
-  Pose pose;  ///< the clip frame, x along the cable, in the world
+  Pose pose;             ///< the clip frame, x along the cable, in the world
+  bool attached = true;  ///< closed; an open one holds nothing, the cable has no station there
 };
 
 }  // namespace cable_variation

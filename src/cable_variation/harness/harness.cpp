@@ -88,8 +88,9 @@ void collectSharedSections(const Harness& harness, std::vector<std::string>& fau
     std::string who;
   };
   std::vector<Claim> claims;
-  for (const Clip& clip : harness.clips)
-    claims.push_back({clip.cable, clip.arc_length, "clip '" + clip.name + "'"});
+  for (const Clip& clip : harness.clips) {
+    if (clip.attached) claims.push_back({clip.cable, clip.arc_length, "clip '" + clip.name + "'"});
+  }
   for (const Joint& joint : harness.joints) {
     claims.push_back({joint.child, joint.child_arc_length, "joint '" + joint.name + "'"});
   }
@@ -107,18 +108,20 @@ void collectSharedSections(const Harness& harness, std::vector<std::string>& fau
 // Every cable must be connected, through joints, to a clip that holds something.
 void collectLooseCables(const Harness& harness, std::vector<std::string>& faults) {
   std::vector<bool> held(harness.cables.size(), false);
-  for (const Clip& clip : harness.clips)
-    held[clip.cable] = held[clip.cable] || clip.constraint.holdsPosition();
+  for (const Clip& clip : harness.clips) {
+    held[clip.cable] = held[clip.cable] || (clip.attached && clip.constraint.holdsPosition());
+  }
   for (std::size_t round = 0; round < harness.joints.size(); ++round) {
     for (const Joint& joint : harness.joints) {
       if (held[joint.parent] || held[joint.child]) held[joint.parent] = held[joint.child] = true;
     }
   }
+  const bool open = std::any_of(harness.clips.begin(), harness.clips.end(),
+                                [](const Clip& clip) { return !clip.attached; });
   for (std::size_t i = 0; i < held.size(); ++i) {
     if (!held[i]) {
-      faults.push_back(
-          textOf("cable '", harness.cables[i].name,
-                 "' is held by no clip, neither itself nor through a joint; expected at least one"));
+      faults.push_back(textOf("cable '", harness.cables[i].name, "' is held by no ", open ? "attached " : "",
+                              "clip, neither itself nor through a joint; expected at least one"));
     }
   }
 }

@@ -61,7 +61,7 @@ std::vector<Places> collectPlaces(const Harness& harness) {
     for (double s : RodProfile(cable).breaks()) places.back().add(s);
   }
   for (const Clip& clip : harness.clips) {
-    if (!clip.constraint.slides) places[clip.cable].add(clip.arc_length);
+    if (clip.attached && !clip.constraint.slides) places[clip.cable].add(clip.arc_length);
   }
   for (const Joint& joint : harness.joints) {
     places[joint.parent].add(joint.parent_arc_length);
@@ -69,7 +69,7 @@ std::vector<Places> collectPlaces(const Harness& harness) {
   }
   for (const PointLoad& load : harness.loads) places[load.cable].add(load.arc_length);
   for (const Clip& clip : harness.clips) {
-    if (!clip.constraint.slides) continue;
+    if (!clip.attached || !clip.constraint.slides) continue;
     if (places[clip.cable].has(clip.arc_length)) {
       std::ostringstream text;
       text << "clip '" << clip.name << "' slides and starts at " << clip.arc_length << " m of cable '"
@@ -102,6 +102,7 @@ bool sameKinds(const Harness& a, const Harness& b) {
                       [](const ClipFreedom& f, const ClipFreedom& g) { return f.kind == g.kind; });
   };
   for (std::size_t i = 0; i < a.clips.size(); ++i) {
+    if (a.clips[i].attached != b.clips[i].attached) return false;
     const ClipConstraint& p = a.clips[i].constraint;
     const ClipConstraint& q = b.clips[i].constraint;
     if (p.slides != q.slides || !same(p.translation, q.translation) || !same(p.rotation, q.rotation)) {
@@ -190,6 +191,10 @@ Topology makeTopology(const Harness& harness) {
     }
   }
   for (std::size_t i = 0; i < harness.clips.size(); ++i) {
+    if (!harness.clips[i].attached) {
+      topology.clip_station.push_back(kNoStation);
+      continue;
+    }
     topology.clip_station.push_back(stationAt(topology, harness.clips[i].cable, harness.clips[i].arc_length));
     topology.stations[topology.clip_station.back()].clip = i;
   }
@@ -238,7 +243,8 @@ std::optional<std::vector<double>> stationArcLengths(const Harness& nominal, con
     found.put(topology.cable_stations[c].back(), c, harness.cables[c].length);
   }
   for (std::size_t i = 0; i < harness.clips.size(); ++i) {
-    found.put(topology.clip_station[i], harness.clips[i].cable, harness.clips[i].arc_length);
+    const Clip& clip = harness.clips[i];
+    if (clip.attached) found.put(topology.clip_station[i], clip.cable, clip.arc_length);
   }
   for (std::size_t i = 0; i < harness.joints.size(); ++i) {
     const Joint& joint = harness.joints[i];

@@ -26,13 +26,15 @@ struct Span {
   std::size_t right = 0;  ///< station at the larger one
 };
 
+inline constexpr std::size_t kNoStation = static_cast<std::size_t>(-1);
+
 /// Which stations and spans a harness has, and how they are connected.
 struct Topology {
   std::vector<Station> stations;
   std::vector<Span> spans;
   std::vector<std::vector<std::size_t>> cable_stations;  ///< per cable, by arc length
   std::vector<std::vector<std::size_t>> cable_spans;     ///< per cable, by arc length
-  std::vector<std::size_t> clip_station;                 ///< per clip
+  std::vector<std::size_t> clip_station;                 ///< per clip; kNoStation: it is not attached
   std::vector<std::size_t> joint_child, joint_parent;    ///< per joint
   std::vector<std::size_t> order;                        ///< stations, each after the one it hangs on
 };

@@ -37,7 +37,8 @@ void visitSkippedClips(const MeasureContext& context, const Measure& measure, st
   if (!(measure.skip_near_clips > 0.0)) return;
   const Component& component = context.scene.components[*measure.component];
   for (std::size_t i = 0; i < context.at.harness.clips.size(); ++i) {
-    if (context.at.harness.clips[i].cable == cable && ridesOn(context.scene, i, component))
+    const Clip& clip = context.at.harness.clips[i];
+    if (clip.attached && clip.cable == cable && ridesOn(context.scene, i, component))
       visit(i, context.at.equilibrium.clip_reactions[i].arc_length);
   }
 }

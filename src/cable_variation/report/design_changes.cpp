@@ -40,6 +40,8 @@ std::vector<std::string> designChanges(const Scene& loaded, const Scene& edited)
         before == loaded.harness.cables[cable].length && after == edited.harness.cables[cable].length;
     if (before != after && !at_end)
       changes.push_back(clip + " along the cable " + changed(before, after, "m"));
+    if (loaded.harness.clips[i].attached != edited.harness.clips[i].attached)
+      changes.push_back(clip + (edited.harness.clips[i].attached ? " closed" : " opened"));
     const Pose moved = loaded.clip_mounts[i].pose.inverse() * edited.clip_mounts[i].pose;
     constexpr double kRounding = 1e-12;
     if (moved.position.norm() > kRounding) {

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include <cable_variation/harness/topology.h>
 #include <cable_variation/scene/cable_property.h>
 #include <cable_variation/scene/design_target.h>
 
@@ -109,6 +110,13 @@ void setClipPose(Design& design, const std::string& clip, const Pose& pose) {
   ClipMount& mount = scene.clip_mounts[index];
   mount.pose = {pose.position, pose.orientation.normalized()};
   scene.harness.clips[index].pose = componentPose(scene, mount.component) * mount.pose;
+}
+
+void setAttached(Design& design, const std::string& clip, bool attached) {
+  Harness harness = design.scene.harness;
+  harness.clips[indexOf(harness.clips, clip, "clip")].attached = attached;
+  makeTopology(harness);
+  design.scene.harness = std::move(harness);
 }
 
 void moveClip(Design& design, const std::string& clip, const Eigen::Vector3d& translation,

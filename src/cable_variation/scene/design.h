@@ -32,6 +32,10 @@ void setClipArcLength(Design& design, const std::string& clip, double arc_length
 /// The clip frame in its component's frame.
 void setClipPose(Design& design, const std::string& clip, const Pose& pose);
 
+/// Opens a clip, or closes it at the arc length that it has. Throws as well if a cable would be held by no
+/// attached clip, or two clips by one section.
+void setAttached(Design& design, const std::string& clip, bool attached);
+
 /// Shifts the clip by `translation` [m] and turns it by the rotation vector
 /// `rotation` [rad], both along its own axes.
 void moveClip(Design& design, const std::string& clip, const Eigen::Vector3d& translation,

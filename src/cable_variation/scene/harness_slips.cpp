@@ -138,7 +138,7 @@ std::vector<std::size_t> placingClips(const Harness& harness, std::size_t cable)
     const auto& t = clip.constraint.translation;
     const bool placed = std::none_of(t.begin(), t.end(),
                                      [](const ClipFreedom& f) { return f.kind == ClipFreedom::Kind::free; });
-    if (clip.cable == cable && placed) held.push_back(i);
+    if (clip.attached && clip.cable == cable && placed) held.push_back(i);
   }
   std::stable_sort(held.begin(), held.end(), [&](std::size_t a, std::size_t b) {
     return harness.clips[a].arc_length < harness.clips[b].arc_length;

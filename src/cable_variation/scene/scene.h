@@ -113,6 +113,14 @@ struct DesignVariable {
   std::vector<double> distribution_weights;  ///< discrete: probabilities, which add up to 1
 };
 
+/// At this time of the motions a clip is closed or opened.
+struct AttachmentChange {
+  std::size_t clip = 0;  ///< index into Harness::clips
+  double time = 0.0;     ///< of the motions, from their start [s]
+  bool attached = true;  ///< from then on
+  double reach = 0.02;   ///< it takes hold of a section that is no further away than this [m]
+};
+
 /// A scene file's contents, resolved and checked.
 struct Scene {
   std::string source;      ///< path of the file
@@ -125,7 +133,8 @@ struct Scene {
   std::vector<Correlation> correlations;
   std::vector<Measure> measures;
   std::vector<Motion> motions;
-  std::vector<SceneFault> warnings;  ///< implausible values: most often a unit that was left out
+  std::vector<AttachmentChange> attachments;  ///< by time
+  std::vector<SceneFault> warnings;           ///< implausible values: most often a unit that was left out
 };
 
 /// Poses of components in the world that differ from the scene's own (moved by tf or a motion).

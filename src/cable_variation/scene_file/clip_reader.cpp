@@ -90,7 +90,7 @@ const ClipPresetTraits* readPreset(const YamlCursor& clip) {
 
 // The keys of a preset beyond those of all clips.
 Keys keysOf(const ClipPresetTraits& traits) {
-  Keys keys = traits.mounted ? Keys{"component", "pose"} : Keys{"force", "moment"};
+  Keys keys = traits.mounted ? Keys{"component", "pose", "attached"} : Keys{"force", "moment"};
   for (const auto& parameter : traits.parameters) {
     if (parameter) keys.emplace_back(formOf(*parameter).key);
   }
@@ -146,6 +146,7 @@ void readClip(const YamlCursor& item, Clip& clip, ClipMount& mount, ReadContext&
   if (!preset) return;
   if (preset->mounted) {
     readMount(item, mount, context);
+    clip.attached = item.flag("attached", true);
   } else if (item.has("force") || item.has("moment")) {
     PointLoad load;
     load.name = clip.name;

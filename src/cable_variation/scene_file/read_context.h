@@ -97,5 +97,6 @@ void readToleranceRegion(const YamlCursor& item, ReadContext& context);  ///< an
 void readCorrelations(const YamlCursor& list, ReadContext& context);
 void readMeasures(const YamlCursor& list, ReadContext& context);
 void readMotions(const YamlCursor& list, ReadContext& context);
+void readAttachments(const YamlCursor& list, ReadContext& context);
 
 }  // namespace cable_variation

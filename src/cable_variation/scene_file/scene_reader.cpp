@@ -31,7 +31,7 @@ int lineOf(const std::string& message, const ReadContext& context) {
 
 void readParts(const YamlCursor& root, ReadContext& context) {
   if (!root.checkKeys({"gravity", "accuracy", "components", "materials", "cables", "clips", "joints", "loads",
-                       "design_variables", "correlations", "measures", "motions"})) {
+                       "design_variables", "correlations", "measures", "motions", "attachments"})) {
     return;
   }
   context.scene.harness.gravity =
@@ -50,6 +50,7 @@ void readParts(const YamlCursor& root, ReadContext& context) {
   part("correlations", readCorrelations);
   part("measures", readMeasures);
   part("motions", readMotions);
+  part("attachments", readAttachments);
   if (!root.has("components") && !root.has("cables"))
     root.fail("the scene has neither components nor cables");
 }

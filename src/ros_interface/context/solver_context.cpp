@@ -58,13 +58,17 @@ void SolverContext::notify() {
 }
 
 void SolverContext::take(EquilibriumSolver solver, Design design, Harness harness, Equilibrium equilibrium,
-                         bool edited) {
+                         bool edited, std::optional<cable_variation::AttachedClips> attachment) {
   requireConverged(equilibrium);
+  attached_before_.clear();
+  for (const cable_variation::Clip& clip : design_.scene.harness.clips)
+    attached_before_.push_back(clip.attached);
   solver_ = std::move(solver);
   design_ = std::move(design);
   harness_ = std::move(harness);
   equilibrium_ = std::move(equilibrium);
-  jump_.reset();
+  jump_ = attachment ? attachment->followed.jump : std::nullopt;
+  attachment_ = std::move(attachment);
   ++design_number_;
   if (moved_.empty()) stamp_ = ros::Time::now();
   edited_ = edited;
@@ -102,6 +106,16 @@ void SolverContext::adopt(Design design) {
   take(std::move(solver), std::move(design), std::move(harness), std::move(equilibrium), true);
 }
 
+void SolverContext::attach(Design design) {
+  requireConverged(equilibrium_);
+  Harness harness = harnessAt(design, {}, moved_);
+  EquilibriumSolver solver = solver_;
+  cable_variation::AttachedClips attached = followAttachment(solver, harness_, equilibrium_, harness);
+  Equilibrium equilibrium = attached.followed.equilibrium;
+  take(std::move(solver), std::move(design), std::move(harness), std::move(equilibrium), true,
+       std::move(attached));
+}
+
 void SolverContext::move(const ComponentPoses& moved, const ros::Time& stamp) {
   Harness harness = harnessAt(design_, {}, moved);
   EquilibriumSolver solver = solver_;  // without an equilibrium there, the last one is still where to go on
@@ -118,6 +132,7 @@ void SolverContext::move(const ComponentPoses& moved, const ros::Time& stamp) {
   harness_ = std::move(harness);
   equilibrium_ = std::move(followed.equilibrium);
   jump_ = followed.jump;
+  attachment_.reset();
   notify();
 }
 

@@ -11,7 +11,7 @@
 #include <cable_variation/scene/design.h>
 #include <cable_variation/sensitivity/stability_analysis.h>
 #include <cable_variation/tolerances/varied_design.h>
-#include <cable_variation/tracking/clip_follower.h>
+#include <cable_variation/tracking/clip_attachment.h>
 
 namespace cable_variation_ros {
 
@@ -37,7 +37,7 @@ class SolverContext {
   const cable_variation::Equilibrium& lastShape() const {
     return equilibrium_.converged() ? equilibrium_ : last_shape_;
   }
-  /// That the last change made, if it was one of the components' places.
+  /// That the last change made, if it was one of the components' places or of clips that close.
   const std::optional<cable_variation::ShapeJump>& lastJump() const { return jump_; }
   const cable_variation::ComponentPoses& moved() const { return moved_; }
 
@@ -86,6 +86,14 @@ class SolverContext {
   /// An edited design; the shape is followed to it, or solved from nothing if it cannot be.
   void adopt(cable_variation::Design design);
 
+  /// A design that differs from the one in force in which clips are attached, and where those hold that
+  /// close: the shape follows from the one in force, of which there must be one. `energy_before` and the like
+  /// are in lastAttachment().
+  void attach(cable_variation::Design design);
+  /// What the last change was, if it was attach(); of the clips before it, attachedBefore().
+  const std::optional<cable_variation::AttachedClips>& lastAttachment() const { return attachment_; }
+  const std::vector<bool>& attachedBefore() const { return attached_before_; }  ///< per clip
+
   /// Components have moved: the shape follows. Whether it could, equilibrium() tells.
   /// @param stamp of the newest tf that tells so
   void move(const cable_variation::ComponentPoses& moved, const ros::Time& stamp);
@@ -121,7 +129,8 @@ class SolverContext {
  private:
   cable_variation::EquilibriumSolver newSolver(const cable_variation::Scene& scene) const;
   void take(cable_variation::EquilibriumSolver solver, cable_variation::Design design,
-            cable_variation::Harness harness, cable_variation::Equilibrium equilibrium, bool edited);
+            cable_variation::Harness harness, cable_variation::Equilibrium equilibrium, bool edited,
+            std::optional<cable_variation::AttachedClips> attachment = {});
   void notify();
   const cable_variation::MeasureEvaluator& preparedEvaluator(const cable_variation::SolvedScene& any) const;
   std::vector<cable_variation::MeasureValue> measure(const cable_variation::SolvedScene& at,
@@ -137,6 +146,8 @@ class SolverContext {
   cable_variation::Equilibrium equilibrium_;
   cable_variation::Equilibrium last_shape_;
   std::optional<cable_variation::ShapeJump> jump_;
+  std::optional<cable_variation::AttachedClips> attachment_;
+  std::vector<bool> attached_before_;
   ros::Time stamp_ = ros::Time::now();
   std::size_t design_number_ = 0;
   std::function<void()> changed_, confirmed_;

@@ -102,6 +102,7 @@ ClipInfo toInfo(const Clip& clip, const ClipMount& mount, const Harness& harness
   info.type = clip.type;
   info.cable = harness.cables[clip.cable].name;
   info.arc_length = clip.arc_length;
+  info.attached = clip.attached;
   info.slides = clip.constraint.slides;
   info.component = mount.component;
   info.pose = toPose(mount.pose);

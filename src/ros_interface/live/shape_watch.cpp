@@ -35,6 +35,27 @@ CableEvent snapOf(const SolverContext& context, const cable_variation::ShapeJump
   return event;
 }
 
+/// What clips did: the whole change is told with each of them.
+void tellClips(const SolverContext& context, std::vector<CableEvent>& events) {
+  const cable_variation::AttachedClips& attached = *context.lastAttachment();
+  const std::vector<cable_variation::Clip>& clips = context.harness().clips;
+  for (std::size_t i = 0; i < clips.size(); ++i) {
+    if (clips[i].attached == context.attachedBefore()[i]) continue;
+    events.push_back(eventAt(context, clips[i].attached ? CableEvent::CLIP_CLOSED : CableEvent::CLIP_OPENED));
+    CableEvent& event = events.back();
+    event.clip = clips[i].name;
+    event.cable = context.harness().cables[attached.cable].name;
+    event.arc_length = attached.arc_length;
+    event.from_value = attached.energy_before;
+    event.to_value = attached.followed.equilibrium.energy.total();
+    event.distance = attached.distance;
+    const std::string held = context.harness().cables[clips[i].cable].name;
+    event.text = "clip '" + event.clip + (clips[i].attached ? "' took hold of" : "' let go of") + " cable '" +
+                 held + "'; cable '" + event.cable + "' went by " + shortNumber(1e3 * event.distance) +
+                 " mm at " + shortNumber(1e3 * event.arc_length) + " mm of its length";
+  }
+}
+
 std::string limitsOf(const Measure& measure) {
   std::string text;
   if (measure.lower) text += ", at least " + shortNumber(*measure.lower);
@@ -47,8 +68,10 @@ std::string limitsOf(const Measure& measure) {
 std::vector<CableEvent> ShapeWatch::eventsOf(const SolverContext& context,
                                              const std::vector<MeasureValue>& measured) {
   std::vector<CableEvent> events;
+  if (context.lastAttachment()) tellClips(context, events);
   compareEquilibria(context, events);
   compareLimits(context, measured, events);
+  last_ = events;
   return events;
 }
 

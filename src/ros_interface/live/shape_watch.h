@@ -19,11 +19,15 @@ class ShapeWatch {
   std::vector<cable_variation::CableEvent> eventsOf(
       const SolverContext& context, const std::vector<cable_variation::MeasureValue>& measured);
 
+  /// What eventsOf() told last.
+  const std::vector<cable_variation::CableEvent>& lastEvents() const { return last_; }
+
  private:
   void compareEquilibria(const SolverContext& context, std::vector<cable_variation::CableEvent>& events);
   void compareLimits(const SolverContext& context, const std::vector<cable_variation::MeasureValue>& measured,
                      std::vector<cable_variation::CableEvent>& events);
 
+  std::vector<cable_variation::CableEvent> last_;
   bool converged_ = true;
   std::string source_;  // of the scene
   struct Known {

@@ -142,6 +142,7 @@ constexpr std::array<ClipLook, enumeratorCount<ClipPreset>()> kLooks{{
 static_assert(hasRowOfEach(kLooks, &ClipLook::preset), "a preset is not drawn, or is out of order");
 
 constexpr double kTextHeight = 0.009;      // [m]; readable where a whole cable fills the view
+constexpr double kOpenAlpha = 0.3;         // of a clip that holds nothing
 constexpr double kSmallestRadius = 0.002;  // a clip is drawn as for a cable this thick at least [m]
 
 }  // namespace
@@ -158,10 +159,13 @@ visualization_msgs::MarkerArray clipMarkers(const cable_variation::Equilibrium& 
     const double cable_radius = sectionAt(harness.cables[clip.cable], clip.arc_length).radius;
     const double radius = std::max(cable_radius, kSmallestRadius);
     const ClipLook& look = kLooks[static_cast<std::size_t>(presetOf(clip))];
-    MarkerGroup group(kClipMarkers + clip.name, kWorldFrame, Eigen::Vector4d(look.color.data()));
+    Eigen::Vector4d color(look.color.data());
+    if (!clip.attached) color.w() = kOpenAlpha;
+    MarkerGroup group(kClipMarkers + clip.name, kWorldFrame, color);
     look.draw({group, clip, radius});
     group.setColor({0.96, 0.97, 0.98, 1.0});
-    group.addText(clip.pose.position + (3.2 * radius + kTextHeight) * kZ, clip.name, kTextHeight);
+    group.addText(clip.pose.position + (3.2 * radius + kTextHeight) * kZ,
+                  clip.attached ? clip.name : clip.name + " (open)", kTextHeight);
     array.markers.insert(array.markers.end(), group.markers().begin(), group.markers().end());
   }
   return array;

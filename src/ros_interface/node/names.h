@@ -36,6 +36,7 @@ constexpr char kCheckForbiddenRegionService[] = "check_forbidden_region";
 constexpr char kGetSceneService[] = "get_scene";
 constexpr char kLoadSceneService[] = "load_scene";
 constexpr char kSetDesignService[] = "set_design";
+constexpr char kSetAttachmentService[] = "set_attachment";
 constexpr char kResetDesignService[] = "reset_design";
 
 // Marker namespaces: these, followed by a name.

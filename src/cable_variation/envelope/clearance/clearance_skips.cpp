@@ -49,7 +49,8 @@ std::vector<SkippedStretch> stretchesNearClips(const Scene& scene, const Harness
   if (!(near > 0.0)) return stretches;
   const Component& part = scene.components[componentIndex(scene, component)];
   for (std::size_t i = 0; i < harness.clips.size(); ++i) {
-    if (harness.clips[i].cable != cable || !ridesOn(scene, i, part)) continue;
+    const Clip& clip = harness.clips[i];
+    if (!clip.attached || clip.cable != cable || !ridesOn(scene, i, part)) continue;
     const double held = equilibrium.clip_reactions[i].arc_length;
     stretches.push_back({held - near, held + near});
   }

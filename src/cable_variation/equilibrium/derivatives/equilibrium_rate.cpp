@@ -26,7 +26,8 @@ Eigen::VectorXd arcLengthRates(const Harness& harness, const Topology& topology,
     at(stations.front()) = 0.0;
   }
   for (const auto& [clip, value] : rate.clip_arc_lengths) {
-    if (!harness.clips[clip].constraint.slides) at(topology.clip_station[clip]) = value;
+    const Clip& held = harness.clips[clip];
+    if (held.attached && !held.constraint.slides) at(topology.clip_station[clip]) = value;
   }
   for (const auto& [joint, value] : rate.parent_arc_lengths) at(topology.joint_parent[joint]) = value;
   for (const auto& [joint, value] : rate.child_arc_lengths) at(topology.joint_child[joint]) = value;
@@ -54,6 +55,7 @@ HarnessChange changeOf(const Harness& harness, const Topology& topology, const S
   }
   for (const auto& [clip, frame] : rate.clip_frames) {
     const std::size_t station = topology.clip_station[clip];
+    if (station == kNoStation) continue;
     const auto column = static_cast<Eigen::Index>(station);
     const Pose& pose = configuration.stations[station].pose;
     const ClipConstraint& constraint = harness.clips[clip].constraint;
@@ -151,6 +153,10 @@ EquilibriumRate ShapeRates::of(const HarnessChange& change, const HarnessRespons
   const std::vector<Wrench> wrenches =
       stationWrenches(topology_, ends, std::vector<Wrench>(topology_.stations.size()));
   for (std::size_t station : topology_.clip_station) {
+    if (station == kNoStation) {
+      rate.clip_reactions.emplace_back();
+      continue;
+    }
     rate.clip_reactions.push_back({wrenches[station].force, wrenches[station].moment,
                                    response.arc_lengths[static_cast<Eigen::Index>(station)]});
   }

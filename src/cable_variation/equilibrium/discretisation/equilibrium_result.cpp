@@ -144,7 +144,16 @@ void describeReactions(const Harness& harness, const Topology& topology,
   }
   result.clip_reactions.clear();
   for (std::size_t c = 0; c < harness.clips.size(); ++c) {
-    result.clip_reactions.push_back(reaction(harness.clips[c].name, topology.clip_station[c]));
+    const Clip& clip = harness.clips[c];
+    if (clip.attached) {
+      result.clip_reactions.push_back(reaction(clip.name, topology.clip_station[c]));
+      continue;
+    }
+    Reaction none;
+    none.name = clip.name;
+    none.arc_length = std::clamp(clip.arc_length, 0.0, harness.cables[clip.cable].length);
+    if (clip.cable < result.shapes.size()) none.section = result.shapes[clip.cable].pose(none.arc_length);
+    result.clip_reactions.push_back(none);
   }
 }
 

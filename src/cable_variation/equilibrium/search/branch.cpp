@@ -63,6 +63,11 @@ bool Branch::descend(bool settle, StartStress stress, Equilibrium& result, int m
 
 void Branch::dropMoments() { problem_.harness = withMoments(problem_.harness, 0.0); }
 
+bool Branch::letGo(Equilibrium& result) {
+  problem_.system->soften(kSearchSlenderness, problem_.configuration);
+  return descend(false, StartStress::own, result);
+}
+
 bool Branch::tighten(Equilibrium& result) {
   // At once where nothing slides, by this factor otherwise; then by smaller ones.
   constexpr double kGrowth = 100.0;

@@ -32,6 +32,9 @@ class Branch {
 
   /// Without its dead moments, from here on.
   void dropMoments();
+  /// From the configuration on the start grid, wherever it is, to a minimum near by with softened stretch
+  /// where the cables are slender, else with their own.
+  bool letGo(Equilibrium& result);
   /// From a minimum on the start grid with softened stretch (RodSystem::soften()) to one of the cable's own.
   bool tighten(Equilibrium& result);
   /// Dead moments without a potential leave no energy to descend: the shape without them is followed while

@@ -79,7 +79,7 @@ class Rooms {
 
 std::vector<std::vector<double>> slideStarts(const Harness& harness, const Topology& topology) {
   const bool any = std::any_of(harness.clips.begin(), harness.clips.end(),
-                               [](const Clip& clip) { return clip.constraint.slides; });
+                               [](const Clip& clip) { return clip.attached && clip.constraint.slides; });
   if (!any) return {};
   const Rooms rooms(harness, topology);
   std::vector<std::vector<double>> starts;

@@ -1,0 +1,48 @@
+#include <ros_interface/live/attachment_follower.h>
+
+#include <exception>
+#include <string>
+
+#include <ros/node_handle.h>
+
+#include <cable_variation/tracking/attached_design.h>
+#include <ros_interface/context/solver_context.h>
+#include <ros_interface/node/names.h>
+
+namespace cable_variation_ros {
+
+using cable_variation::AttachmentWish;
+using cable_variation::CableEvent;
+
+AttachmentFollower::AttachmentFollower(ros::NodeHandle& node, SolverContext& context,
+                                       std::function<void(const std::vector<CableEvent>&)> tell)
+    : context_(context),
+      tell_(std::move(tell)),
+      subscriber_(node.subscribe(kMotionStateTopic, 1, &AttachmentFollower::hear, this)) {}
+
+void AttachmentFollower::hear(const cable_variation::MotionState& state) {
+  const std::vector<AttachmentWish> wishes =
+      scheduledAt(context_.design().scene, context_.harness(), state.time);
+  std::set<std::pair<std::size_t, bool>> wanted;
+  for (const AttachmentWish& wish : wishes) wanted.emplace(wish.clip, wish.attached);
+  if (wishes.empty() || !context_.equilibrium().converged()) {
+    if (wishes.empty()) refused_.clear();
+    return;
+  }
+  try {
+    context_.attach(
+        withAttachments(context_.design(), wishes, context_.harness(), context_.equilibrium()).design);
+    refused_.clear();
+  } catch (const std::exception& error) {
+    if (refused_ == wanted) return;
+    refused_ = wanted;
+    CableEvent event;
+    event.header.stamp = context_.stamp();
+    event.kind = CableEvent::CLIP_REFUSED;
+    event.clip = context_.harness().clips[wishes.front().clip].name;
+    event.text = error.what();
+    tell_({event});
+  }
+}
+
+}  // namespace cable_variation_ros
