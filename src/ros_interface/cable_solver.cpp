@@ -41,6 +41,7 @@ CableSolver::CableSolver(ros::NodeHandle node, const CableSolverParameters& para
       analyze_stability_(node_, context_, variation_, OutputDirectory(parameters.output_directory), names_),
       get_scene_(node_, context_),
       load_scene_(node_, context_),
+      save_scene_(node_, context_, OutputDirectory(parameters.output_directory), names_),
       design_(node_, context_),
       set_attachment_(node_, context_, {shape_watch_, measured_}),
       check_forbidden_region_(node_, context_, interference_, OutputDirectory(parameters.output_directory)),
@@ -59,6 +60,10 @@ CableSolver::CableSolver(ros::NodeHandle node, const CableSolverParameters& para
                           }),
       simulate_variation_action_(node_, kSimulateVariationAction, simulations_) {
   context_.setAuthor(parameters.author);
+  if (parameters.interactive) {
+    drags_ = std::make_unique<DragServer>(
+        node_, context_, [this](const std::vector<std::string>& variables) { analyse(variables); });
+  }
   logWarnings(context_.design().scene);
   context_.onChange([this] { show(); });
   context_.onConfirm([this] { showAgain(); });
@@ -81,6 +86,19 @@ CableSolver::CableSolver(ros::NodeHandle node, const CableSolverParameters& para
 }
 
 CableSolver::~CableSolver() { spinning_.stop(); }  // runs that wait for it end
+
+void CableSolver::analyse(const std::vector<std::string>& variables) {
+  AnalyzeStabilityService::Request request;
+  AnalyzeStabilityService::Response response;
+  request.variables = variables;
+  request.skip_low_high = true;
+  analyze_stability_.handle(request, response);
+  if (response.status.code == cable_variation::Status::SUCCESS) {
+    ROS_INFO("shown: what %s does to the cables", response.shown.c_str());
+  } else {
+    ROS_WARN("%s: %s", kAnalyzeStabilityService, response.status.message.c_str());
+  }
+}
 
 void CableSolver::showAgain() {
   constexpr double kOften = 0.1;  // [s]
@@ -105,6 +123,7 @@ void CableSolver::show() {
   variation_.contextChanged();
   envelope_.contextChanged(context_);
   check_forbidden_region_.contextChanged();
+  if (drags_) drags_->contextChanged();
   diagnostics_.contextChanged();
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include <ros/node_handle.h>
 
@@ -17,8 +19,11 @@
 #include <ros_interface/display/envelope_publisher.h>
 #include <ros_interface/display/interference_publisher.h>
 #include <ros_interface/display/live_publisher.h>
+#include <ros_interface/display/path_publisher.h>
 #include <ros_interface/display/solver_publisher.h>
+#include <ros_interface/display/tube_publisher.h>
 #include <ros_interface/display/variation_publisher.h>
+#include <ros_interface/interaction/drag_server.h>
 #include <ros_interface/live/attachment_follower.h>
 #include <ros_interface/live/event_publisher.h>
 #include <ros_interface/live/shape_watch.h>
@@ -33,10 +38,12 @@
 #include <ros_interface/runs/simulation_run.h>
 #include <ros_interface/services/analyze_stability_service.h>
 #include <ros_interface/services/check_forbidden_region_service.h>
+#include <ros_interface/services/check_path_service.h>
 #include <ros_interface/services/design_service.h>
 #include <ros_interface/services/get_scene_service.h>
 #include <ros_interface/services/load_scene_service.h>
 #include <ros_interface/services/run_action_server.h>
+#include <ros_interface/services/save_scene_service.h>
 #include <ros_interface/services/set_attachment_service.h>
 #include <ros_interface/services/solve_equilibrium_service.h>
 
@@ -53,6 +60,8 @@ class CableSolver {
 
  private:
   void show();
+  /// What some design variables do to the cables; none: all.
+  void analyse(const std::vector<std::string>& variables);
   void showAgain();  ///< the figures, with a newer stamp
 
   ros::NodeHandle node_;
@@ -66,17 +75,21 @@ class CableSolver {
   ClipFrames clip_frames_;
   ShapeWatch shape_watch_;
   EventPublisher events_;
+  TubePublisher tubes_;
   VariationPublisher variation_;
   EnvelopePublisher envelope_;
+  PathPublisher path_;
   DesignPublisher design_state_;
   SolverDiagnostics diagnostics_;
   SolveEquilibriumService solve_equilibrium_;
   AnalyzeStabilityService analyze_stability_;
   GetSceneService get_scene_;
   LoadSceneService load_scene_;
+  SaveSceneService save_scene_;
   DesignService design_;
   SetAttachmentService set_attachment_;
   CheckForbiddenRegionService check_forbidden_region_;
+  CheckPathService check_path_;
   Runner runner_;
   RequestRunner<EnvelopeRun> envelopes_;
   OwnThreadService<cable_variation::GenerateEnvelope> generate_envelope_;
@@ -85,6 +98,7 @@ class CableSolver {
   OwnThreadService<cable_variation::SimulateVariation> simulate_variation_;
   RunActionServer<cable_variation::SimulateVariationAction, SimulationRun> simulate_variation_action_;
   ros::WallTime shown_;  ///< last
+  std::unique_ptr<DragServer> drags_;
   std::unique_ptr<TfFollower> follower_;
   std::unique_ptr<AttachmentFollower> attachments_;
 };

@@ -43,15 +43,15 @@ Scene workshop() {
 }
 
 TEST(ComponentDeviations, NothingDeviatesAtTheDesign) {
-  EXPECT_TRUE(componentDeviations(workshop(), {}, {}).empty());
-  EXPECT_TRUE(componentDeviations(workshop(), {{"table_x", 0.0}, {"holder_ry", 0.0}}, {}).empty());
+  EXPECT_TRUE(componentDeviations(workshop(), {}, {}, {}).empty());
+  EXPECT_TRUE(componentDeviations(workshop(), {{"table_x", 0.0}, {"holder_ry", 0.0}}, {}, {}).empty());
 }
 
 TEST(ComponentDeviations, AreInTheComponentsOwnFrameWhereverThatIs) {
   const ComponentPoses moved = {{"table", poseOf({-3.0, 0.2, 0.1}, 2.0, {0, 0, 1})}};
   for (const ComponentPoses& where : {ComponentPoses(), moved}) {
     const ComponentPoses found =
-        componentDeviations(workshop(), {{"holder_z", 0.002}, {"holder_ry", 0.1}}, where);
+        componentDeviations(workshop(), {{"holder_z", 0.002}, {"holder_ry", 0.1}}, where, where);
     ASSERT_EQ(found.size(), 1u);
     EXPECT_LT((found.at("holder").position - Eigen::Vector3d(0.0, 0.0, 0.002)).norm(), 1e-12);
     const Eigen::Quaterniond turn(Eigen::AngleAxisd(0.1, Eigen::Vector3d::UnitY()));
@@ -61,7 +61,7 @@ TEST(ComponentDeviations, AreInTheComponentsOwnFrameWhereverThatIs) {
 
 TEST(ComponentDeviations, WhatRidesOnAComponentDeviatesWithIt) {
   const Scene scene = workshop();
-  const ComponentPoses found = componentDeviations(scene, {{"table_x", 0.003}}, {});
+  const ComponentPoses found = componentDeviations(scene, {{"table_x", 0.003}}, {}, {});
   ASSERT_EQ(found.size(), 2u);
   EXPECT_LT((found.at("table").position - Eigen::Vector3d(0.003, 0.0, 0.0)).norm(), 1e-12);
   const Eigen::Vector3d shift =

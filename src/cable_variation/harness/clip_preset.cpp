@@ -56,6 +56,15 @@ ClipPreset presetOf(const Clip& clip) {
   return ClipPreset::general;
 }
 
+bool canBeAdded(const ClipPresetTraits& traits) {
+  bool complete = traits.mounted;
+  for (const auto& parameter : traits.parameters) {
+    if (parameter && *parameter != ClipParameter::rolls && *parameter != ClipParameter::slides)
+      complete = false;
+  }
+  return complete;
+}
+
 bool isMounted(const Clip& clip) { return traitsOf(presetOf(clip)).mounted; }
 
 }  // namespace cable_variation

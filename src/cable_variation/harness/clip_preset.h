@@ -57,6 +57,10 @@ const ClipPresetTable& clipPresets();
 /// The row of a preset. Throws std::out_of_range for a number that is none.
 const ClipPresetTraits& traitsOf(ClipPreset preset);
 
+/// Whether a clip can be added of which no more is told than its place: it is mounted, and takes nothing that
+/// it could not do without.
+bool canBeAdded(const ClipPresetTraits& traits);
+
 /// The preset that a clip's type names; any other name, as harnesses made by a program may have, is general.
 ClipPreset presetOf(const Clip& clip);
 

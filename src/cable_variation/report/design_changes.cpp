@@ -23,16 +23,32 @@ bool isToldOtherwise(const DesignTarget& target) {
          (property != nullptr && property->property == CableProperty::Property::length);
 }
 
+/// How far a thing was moved and turned, as far as it was.
+void addMotion(const std::string& what, const Pose& motion, std::vector<std::string>& changes) {
+  constexpr double kRounding = 1e-12;
+  if (motion.position.norm() > kRounding)
+    changes.push_back(what + " moved by " + figure(displayUnit("m").factor * motion.position.norm()) + " mm");
+  const double turn = Eigen::AngleAxisd(motion.orientation).angle();
+  if (motion.orientation.vec().norm() > kRounding)
+    changes.push_back(what + " turned by " + figure(displayUnit("rad").factor * turn) + " deg");
+}
+
 }  // namespace
 
-std::vector<std::string> designChanges(const Scene& loaded, const Scene& edited) {
+std::vector<std::string> designChanges(const Scene& loaded, const Scene& edited,
+                                       const ComponentPoses& shifts) {
   std::vector<std::string> changes;
   for (std::size_t i = 0; i < edited.harness.cables.size(); ++i) {
     const double before = loaded.harness.cables[i].length, after = edited.harness.cables[i].length;
     if (before == after) continue;
     changes.push_back("length of cable " + edited.harness.cables[i].name + " " + changed(before, after, "m"));
   }
-  for (std::size_t i = 0; i < edited.harness.clips.size(); ++i) {
+  for (const auto& [component, shift] : shifts) addMotion("component " + component, shift, changes);
+  for (std::size_t i = loaded.harness.clips.size(); i < edited.harness.clips.size(); ++i) {
+    changes.push_back("clip " + edited.harness.clips[i].name + " added (" + edited.harness.clips[i].type +
+                      ")");
+  }
+  for (std::size_t i = 0; i < loaded.harness.clips.size(); ++i) {
     const std::string clip = "clip " + edited.harness.clips[i].name;
     const double before = loaded.harness.clips[i].arc_length, after = edited.harness.clips[i].arc_length;
     const std::size_t cable = edited.harness.clips[i].cable;
@@ -43,15 +59,7 @@ std::vector<std::string> designChanges(const Scene& loaded, const Scene& edited)
     if (loaded.harness.clips[i].attached != edited.harness.clips[i].attached)
       changes.push_back(clip + (edited.harness.clips[i].attached ? " closed" : " opened"));
     const Pose moved = loaded.clip_mounts[i].pose.inverse() * edited.clip_mounts[i].pose;
-    constexpr double kRounding = 1e-12;
-    if (moved.position.norm() > kRounding) {
-      changes.push_back(clip + " moved by " + figure(displayUnit("m").factor * moved.position.norm()) +
-                        " mm");
-    }
-    const double turn = Eigen::AngleAxisd(moved.orientation).angle();
-    if (moved.orientation.vec().norm() > kRounding) {
-      changes.push_back(clip + " turned by " + figure(displayUnit("rad").factor * turn) + " deg");
-    }
+    addMotion(clip, moved, changes);
   }
   for (std::size_t i = 0; i < edited.design_variables.size(); ++i) {
     const DesignVariable& variable = edited.design_variables[i];

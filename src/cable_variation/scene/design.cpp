@@ -4,10 +4,15 @@
 #include <optional>
 #include <stdexcept>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include <cable_variation/harness/topology.h>
 #include <cable_variation/scene/cable_property.h>
+#include <cable_variation/scene/deviations.h>
 #include <cable_variation/scene/design_target.h>
+#include <cable_variation/harness/clip_preset.h>
+#include <cable_variation/util/name_list.h>
 
 namespace cable_variation {
 
@@ -60,12 +65,84 @@ void requireFinite(const std::string& what, const Eigen::Vector3d& value) {
   if (!value.allFinite()) throw std::invalid_argument(what + " is not finite");
 }
 
+/// Its pose with an orientation that is one, of "clip 'A'".
+Pose checkedPose(const std::string& what, const Pose& pose) {
+  requireFinite("position of " + what, pose.position);
+  const double norm = pose.orientation.norm();
+  if (!(std::abs(norm - 1.0) < 1e-3)) {
+    throw std::invalid_argument("quaternion of " + what + " has norm " + std::to_string(norm) +
+                                ", expected 1");
+  }
+  return {pose.position, pose.orientation.normalized()};
+}
+
+/// The preset of a clip that is added, which its type names.
+const ClipPresetTraits& addablePreset(const std::string& type) {
+  std::vector<std::string> names;
+  for (const ClipPresetTraits& traits : clipPresets()) {
+    if (!canBeAdded(traits)) continue;
+    if (type == traits.name) return traits;
+    names.emplace_back(traits.name);
+  }
+  throw std::invalid_argument("type of a new clip '" + type + "'; expected one of " + joined(names));
+}
+
+Pose carrierOf(const Scene& scene, const std::string& component, const std::vector<ComponentFrame>& frames) {
+  const std::size_t index = componentIndex(scene, component);
+  return index == ComponentFrame::kWorld ? Pose() : frames[index].pose;
+}
+
+std::vector<ComponentFrame> framesOf(const Design& design, const ComponentPoses& moved) {
+  return componentFrames(design.scene, deviationsOf(design.scene, design.shifted), moved);
+}
+
 }  // namespace
 
 Harness harnessAt(const Design& design, const DesignValues& values, const ComponentPoses& moved) {
   DesignValues all = values;
   all.insert(design.shifted.begin(), design.shifted.end());
   return harnessAt(design.scene, all, moved);
+}
+
+ComponentPoses placesOf(const Design& design, const ComponentPoses& moved) {
+  if (design.shifts.empty()) return moved;
+  const Scene& scene = design.scene;
+  ComponentPoses places;
+  for (const Component& component : scene.components) {
+    // from the world inwards: each ancestor's shift carries what rides on it
+    std::vector<const Component*> chain{&component};
+    while (chain.back()->parent != "world")
+      chain.push_back(&scene.components[componentIndex(scene, chain.back()->parent)]);
+    Pose carried;
+    for (auto each = chain.rbegin(); each != chain.rend(); ++each) {
+      const auto shift = design.shifts.find((*each)->name);
+      if (shift == design.shifts.end()) continue;
+      const Pose designed = componentPose(scene, (*each)->name, moved);
+      carried = carried * designed * shift->second * designed.inverse();
+    }
+    places[component.name] = carried * componentPose(scene, component.name, moved);
+  }
+  return places;
+}
+
+Scene sceneOf(const Design& design) {
+  Scene scene = design.scene;
+  const ComponentPoses places = placesOf(design, {});
+  scene.harness = harnessAt(design, {}, places);
+  const auto frames = framesOf(design, places);
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const std::size_t parent = frames[i].parent;
+    const Pose carrier = parent == ComponentFrame::kWorld ? Pose() : frames[parent].pose;
+    scene.components[i].pose = carrier.inverse() * frames[i].pose;
+  }
+  for (std::size_t i = 0; i < scene.clip_mounts.size(); ++i) {
+    ClipMount& mount = scene.clip_mounts[i];
+    mount.pose = carrierOf(scene, mount.component, frames).inverse() * scene.harness.clips[i].pose;
+  }
+  for (DesignVariable& variable : scene.design_variables) {
+    if (!setsQuantity(variable.target)) variable.nominal = 0.0;
+  }
+  return scene;
 }
 
 void setNominal(Design& design, const std::string& variable, double value) {
@@ -101,14 +178,8 @@ void setClipArcLength(Design& design, const std::string& clip, double arc_length
 void setClipPose(Design& design, const std::string& clip, const Pose& pose) {
   Scene& scene = design.scene;
   const std::size_t index = indexOf(scene.harness.clips, clip, "clip");
-  requireFinite("position of clip '" + clip + "'", pose.position);
-  const double norm = pose.orientation.norm();
-  if (!(std::abs(norm - 1.0) < 1e-3)) {
-    throw std::invalid_argument("quaternion of clip '" + clip + "' has norm " + std::to_string(norm) +
-                                ", expected 1");
-  }
   ClipMount& mount = scene.clip_mounts[index];
-  mount.pose = {pose.position, pose.orientation.normalized()};
+  mount.pose = checkedPose("clip '" + clip + "'", pose);
   scene.harness.clips[index].pose = componentPose(scene, mount.component) * mount.pose;
 }
 
@@ -117,6 +188,66 @@ void setAttached(Design& design, const std::string& clip, bool attached) {
   harness.clips[indexOf(harness.clips, clip, "clip")].attached = attached;
   makeTopology(harness);
   design.scene.harness = std::move(harness);
+}
+
+void setComponentPose(Design& design, const std::string& component, const Pose& pose) {
+  const Component& part = design.scene.components[indexOf(design.scene.components, component, "component")];
+  design.shifts[component] = part.pose.inverse() * checkedPose("component '" + component + "'", pose);
+}
+
+void addClip(Design& design, Clip clip, const ClipMount& mount) {
+  Scene& scene = design.scene;
+  const ClipPresetTraits& preset = addablePreset(clip.type);
+  for (const Clip& other : scene.harness.clips) {
+    if (other.name == clip.name)
+      throw std::invalid_argument("there is a clip named '" + clip.name + "' already");
+  }
+  clip.constraint = preset.constraint({});
+  const ClipMount checked{mount.component, checkedPose("clip '" + clip.name + "'", mount.pose)};
+  clip.pose = componentPose(scene, checked.component) * checked.pose;
+  Harness harness = scene.harness;
+  harness.clips.push_back(std::move(clip));
+  validate(harness);
+  scene.harness = std::move(harness);
+  scene.clip_mounts.push_back(checked);
+}
+
+void removeClip(Design& design, const std::string& clip) {
+  Scene& scene = design.scene;
+  const std::size_t index = indexOf(scene.harness.clips, clip, "clip");
+  const auto later = [&](std::size_t other) { return other >= index; };
+  bool is_free = true;
+  for (const Measure& measure : scene.measures) is_free = is_free && !later(measure.clip);
+  for (const DesignVariable& variable : scene.design_variables) {
+    if (const auto* shift = std::get_if<ClipTranslation>(&variable.target))
+      is_free = is_free && !later(shift->clip);
+    if (const auto* turn = std::get_if<ClipRotation>(&variable.target))
+      is_free = is_free && !later(turn->clip);
+    if (const auto* at = std::get_if<ClipArcLength>(&variable.target)) is_free = is_free && !later(at->clip);
+  }
+  if (!is_free)
+    throw std::invalid_argument("clip '" + clip + "' is the scene's own; expected one that was added");
+  const auto offset = static_cast<std::ptrdiff_t>(index);
+  scene.harness.clips.erase(scene.harness.clips.begin() + offset);
+  scene.clip_mounts.erase(scene.clip_mounts.begin() + offset);
+}
+
+void placeClip(Design& design, const std::string& clip, const Pose& pose, const ComponentPoses& moved) {
+  const std::size_t index = indexOf(design.scene.harness.clips, clip, "clip");
+  const Deviations deviations = deviationsOf(design.scene, design.shifted);
+  const auto frames = componentFrames(design.scene, deviations, moved);
+  const Pose carrier = carrierOf(design.scene, design.scene.clip_mounts[index].component, frames);
+  setClipPose(design, clip, carrier.inverse() * pose * deviations.clips[index].pose().inverse());
+}
+
+void placeComponent(Design& design, const std::string& component, const Pose& pose,
+                    const ComponentPoses& moved) {
+  const std::size_t index = indexOf(design.scene.components, component, "component");
+  const ComponentFrame frame = framesOf(design, placesOf(design, moved))[index];
+  const Pose deviated = frame.base.inverse() * frame.pose;
+  const Pose base = checkedPose("component '" + component + "'", pose) * deviated.inverse();
+  Pose& shift = design.shifts[component];
+  shift = shift * frame.base.inverse() * base;
 }
 
 void moveClip(Design& design, const std::string& clip, const Eigen::Vector3d& translation,

@@ -10,11 +10,22 @@ namespace cable_variation {
 struct Design {
   Scene scene;
   DesignValues shifted;  ///< nominal values other than 0 of variables that move clips, components, locators
+  ComponentPoses shifts =
+      {};  ///< of components that an edit has put elsewhere, each in its frame as the scene has it
 };
+
+/// Where components are that are not where the scene has them: as `moved` tells (tf, a motion), and shifted
+/// by the design on top of that; what rides on one comes along. The other functions take this as their
+/// `moved`.
+ComponentPoses placesOf(const Design& design, const ComponentPoses& moved);
 
 /// The harness of the design with some variables at `values`, the others nominal
 /// (as harnessAt, which says what it throws).
 Harness harnessAt(const Design& design, const DesignValues& values, const ComponentPoses& moved = {});
+
+/// A scene of its own that is what the design is: its nominal values and edits are in the poses, lengths and
+/// sections, and no variable is off its nominal value.
+Scene sceneOf(const Design& design);
 
 // Edits. Each throws std::invalid_argument for an unknown name, and for a value, named
 // with its bound, that leaves the physical; the design is then as it was.
@@ -35,6 +46,25 @@ void setClipPose(Design& design, const std::string& clip, const Pose& pose);
 /// Opens a clip, or closes it at the arc length that it has. Throws as well if a cable would be held by no
 /// attached clip, or two clips by one section.
 void setAttached(Design& design, const std::string& clip, bool attached);
+
+/// The pose of a component in its parent's frame. Where tf or a motion has it elsewhere, it is off that place
+/// by as much; what rides on it comes along.
+void setComponentPose(Design& design, const std::string& component, const Pose& pose);
+
+/// One more clip, with a name that no other has. `clip.type` names a preset that is mounted and takes no
+/// parameter but by choice, which sets clip.constraint; `mount` says where clip.pose is.
+void addClip(Design& design, Clip clip, const ClipMount& mount);
+
+/// Takes away a clip that addClip() has added, of which nothing else can be. Throws for any that a design
+/// variable or a measure is of.
+void removeClip(Design& design, const std::string& clip);
+
+/// Puts the clip frame there in the world, with components where placesOf() has them.
+void placeClip(Design& design, const std::string& clip, const Pose& pose, const ComponentPoses& moved);
+
+/// Likewise a component's frame. @param moved as placesOf() takes it
+void placeComponent(Design& design, const std::string& component, const Pose& pose,
+                    const ComponentPoses& moved);
 
 /// Shifts the clip by `translation` [m] and turns it by the rotation vector
 /// `rotation` [rad], both along its own axes.

@@ -79,23 +79,28 @@ void checkHarness(ReadContext& context) {
 
 }  // namespace
 
+std::string readSceneFile(const std::string& path) { return readWhole(path, kMostBytes); }
+
 Scene readScene(const std::string& path, const PackageFinder& find_package) {
-  ReadContext context(path, find_package);
-  YAML::Node root;
   std::string text;
   try {
-    text = readWhole(path, kMostBytes);
+    text = readSceneFile(path);
   } catch (const std::invalid_argument& error) {
-    context.faults.add(0, std::string("the file ") + error.what());
+    FaultList faults(path);
+    faults.add(0, std::string("the file ") + error.what());
+    throw SceneError(faults.sorted());
   }
-  if (context.faults.count() == 0) {
-    root = readYamlDocument(text, context.faults);
-    if (root.IsMap()) {
-      readParts(YamlCursor(root, root.Mark().line + 1, "", context.faults), context);
-    } else if (context.faults.count() == 0) {
-      context.faults.add(root.IsNull() ? 0 : 1,
-                         "the file is no scene; expected a map with components, cables, clips");
-    }
+  return readSceneText(text, path, find_package);
+}
+
+Scene readSceneText(const std::string& text, const std::string& source, const PackageFinder& find_package) {
+  ReadContext context(source, find_package);
+  const YAML::Node root = readYamlDocument(text, context.faults);
+  if (root.IsMap()) {
+    readParts(YamlCursor(root, root.Mark().line + 1, "", context.faults), context);
+  } else if (context.faults.count() == 0) {
+    context.faults.add(root.IsNull() ? 0 : 1,
+                       "the file is no scene; expected a map with components, cables, clips");
   }
   if (context.faults.count() == 0) checkHarness(context);
   if (context.faults.count() > 0) throw SceneError(context.faults.sorted());

@@ -24,4 +24,11 @@ class SceneError : public std::invalid_argument {
 /// SceneError.
 Scene readScene(const std::string& path, const PackageFinder& find_package);
 
+/// Likewise a text that is not in a file. @param source path that messages name, Scene::source
+Scene readSceneText(const std::string& text, const std::string& source, const PackageFinder& find_package);
+
+/// The text of a scene file. Throws std::invalid_argument that says what is wrong with the file, without its
+/// name.
+std::string readSceneFile(const std::string& path);
+
 }  // namespace cable_variation

@@ -28,6 +28,13 @@ std::string displayValue(double value, const std::string& si_unit, int digits) {
   return std::isfinite(value) ? number + " " + displayUnit(si_unit).symbol : number;
 }
 
+double withoutRounding(double value, const std::string& si_unit) {
+  constexpr double kLeast = 1e-9;
+  const bool measured = si_unit == "m" || si_unit == "rad" || si_unit == "N" || si_unit == "N m" ||
+                        si_unit == "Pa" || si_unit == "J" || si_unit == "N/m" || si_unit == "1";
+  return measured && std::abs(value) < kLeast ? 0.0 : value;
+}
+
 double parseDisplayed(const std::string& text, const std::string& si_unit) {
   const DisplayUnit shown = displayUnit(si_unit);
   const std::string example = "3.5 " + shown.symbol;

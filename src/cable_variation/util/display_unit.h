@@ -20,6 +20,10 @@ std::string displayValue(double value, const std::string& si_unit, int digits = 
 /// The same without the unit.
 std::string displayNumber(double value, const std::string& si_unit, int digits = 4);
 
+/// The value, or 0 where it is less than anybody measures in its unit (a millionth of a millimetre, a
+/// billionth of a radian, a newton, a pascal): what rounding leaves of 0.
+double withoutRounding(double value, const std::string& si_unit);
+
 /// The SI value of what a person has typed, in any unit of the SI unit's dimension; a bare number is in the
 /// unit shown. Throws std::invalid_argument that says what is there and what was expected.
 double parseDisplayed(const std::string& text, const std::string& si_unit);

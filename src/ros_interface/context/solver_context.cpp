@@ -7,7 +7,7 @@
 #include <cable_variation/report/design_changes.h>
 #include <cable_variation/scene/design_rate.h>
 #include <cable_variation/scene/measure_traits.h>
-#include <cable_variation/util/regular_file.h>
+#include <cable_variation/scene_file/scene_reader.h>
 #include <cable_variation/util/sha256.h>
 
 namespace cable_variation_ros {
@@ -19,6 +19,7 @@ using cable_variation::Equilibrium;
 using cable_variation::EquilibriumOptions;
 using cable_variation::EquilibriumSolver;
 using cable_variation::Harness;
+using cable_variation::InputLimits;
 using cable_variation::MeasureEvaluator;
 using cable_variation::MeasureValue;
 using cable_variation::Scene;
@@ -28,9 +29,9 @@ using cable_variation::StabilityOptions;
 
 namespace {
 
-std::string hashOf(const Scene& scene) {
+std::string textOf(const Scene& scene, const InputLimits& limits) {
   try {
-    return cable_variation::sha256(cable_variation::readWhole(scene.source, cable_variation::kAnySize));
+    return cable_variation::readSceneFile(scene.source, limits);
   } catch (const std::invalid_argument&) {  // made in memory, or taken away meanwhile
     return "";
   }
@@ -38,10 +39,11 @@ std::string hashOf(const Scene& scene) {
 
 }  // namespace
 
-SolverContext::SolverContext(Scene scene)
-    : loaded_(std::move(scene)),
-      source_hash_(hashOf(loaded_)),
-      design_{loaded_, {}},
+SolverContext::SolverContext(Scene scene, const InputLimits& limits)
+    : limits_(limits),
+      loaded_(std::move(scene)),
+      loaded_text_(textOf(loaded_, limits)),
+      design_{loaded_, {}, {}},
       harness_(harnessAt(design_, {}, moved_)),
       solver_(newSolver(loaded_)),
       equilibrium_(solver_.solve(harness_)) {}
@@ -65,25 +67,27 @@ void SolverContext::take(EquilibriumSolver solver, Design design, Harness harnes
     attached_before_.push_back(clip.attached);
   solver_ = std::move(solver);
   design_ = std::move(design);
+  moved_ = placesOf(design_, on_tf_);
   harness_ = std::move(harness);
   equilibrium_ = std::move(equilibrium);
   jump_ = attachment ? attachment->followed.jump : std::nullopt;
   attachment_ = std::move(attachment);
   ++design_number_;
-  if (moved_.empty()) stamp_ = ros::Time::now();
+  if (on_tf_.empty()) stamp_ = ros::Time::now();
   edited_ = edited;
   notify();
 }
 
 void SolverContext::load(Scene scene) {
-  std::string hash = hashOf(scene);
-  Design design{std::move(scene), {}};
+  std::string text = textOf(scene, limits_);
+  Design design{std::move(scene), {}, {}};
   Harness harness = harnessAt(design, {});
   EquilibriumSolver solver = newSolver(design.scene);
   Equilibrium equilibrium = solver.solve(harness);
   requireConverged(equilibrium);
   loaded_ = design.scene;
-  source_hash_ = std::move(hash);
+  loaded_text_ = std::move(text);
+  on_tf_.clear();
   moved_.clear();
   evaluator_.reset();
   ++loads_;
@@ -91,15 +95,15 @@ void SolverContext::load(Scene scene) {
 }
 
 void SolverContext::reset() {
-  Design design{loaded_, {}};
-  Harness harness = harnessAt(design, {}, moved_);
+  Design design{loaded_, {}, {}};
+  Harness harness = harnessAt(design, {}, on_tf_);
   EquilibriumSolver solver = newSolver(loaded_);
   Equilibrium equilibrium = solver.solve(harness);
   take(std::move(solver), std::move(design), std::move(harness), std::move(equilibrium), false);
 }
 
 void SolverContext::adopt(Design design) {
-  Harness harness = harnessAt(design, {}, moved_);
+  Harness harness = harnessAt(design, {}, placesOf(design, on_tf_));
   EquilibriumSolver solver = solver_;
   Equilibrium equilibrium = solver.update(harness);
   if (!equilibrium.converged()) equilibrium = solver.solve(harness);
@@ -116,7 +120,8 @@ void SolverContext::attach(Design design) {
        std::move(attached));
 }
 
-void SolverContext::move(const ComponentPoses& moved, const ros::Time& stamp) {
+void SolverContext::move(const ComponentPoses& on_tf, const ros::Time& stamp) {
+  ComponentPoses moved = placesOf(design_, on_tf);
   Harness harness = harnessAt(design_, {}, moved);
   EquilibriumSolver solver = solver_;  // without an equilibrium there, the last one is still where to go on
   cable_variation::FollowedClips followed;
@@ -127,7 +132,8 @@ void SolverContext::move(const ComponentPoses& moved, const ros::Time& stamp) {
     followed.equilibrium = solver.update(harness);
   }
   if (followed.equilibrium.converged()) solver_ = std::move(solver);
-  moved_ = moved;
+  on_tf_ = on_tf;
+  moved_ = std::move(moved);
   stamp_ = stamp;
   harness_ = std::move(harness);
   equilibrium_ = std::move(followed.equilibrium);
@@ -143,11 +149,12 @@ void SolverContext::confirm(const ros::Time& stamp) {
 }
 
 DesignOrigin SolverContext::origin() const {
-  return {source_hash_, designChanges(loaded_, design_.scene), author_};
+  return {loaded_text_.empty() ? "" : cable_variation::sha256(loaded_text_),
+          designChanges(loaded_, design_.scene, design_.shifts), author_};
 }
 
 SolverContext::Snapshot SolverContext::snapshot() const {
-  return {design_, moved_, solver_, parts(), design_number_, origin()};
+  return {design_, moved_, solver_, parts(), design_number_, origin(), on_tf_};
 }
 
 cable_variation::ComponentParts SolverContext::parts() const {

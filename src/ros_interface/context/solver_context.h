@@ -12,6 +12,7 @@
 #include <cable_variation/sensitivity/stability_analysis.h>
 #include <cable_variation/tolerances/varied_design.h>
 #include <cable_variation/tracking/clip_attachment.h>
+#include <cable_variation/util/input_limits.h>
 
 namespace cable_variation_ros {
 
@@ -26,10 +27,14 @@ struct DesignOrigin {
 class SolverContext {
  public:
   /// The harness need not have an equilibrium: equilibrium() tells.
-  explicit SolverContext(cable_variation::Scene scene);
+  /// @param limits of files that are read
+  explicit SolverContext(cable_variation::Scene scene, const cable_variation::InputLimits& limits = {});
+
+  const cable_variation::InputLimits& limits() const { return limits_; }
 
   const cable_variation::Design& design() const { return design_; }
   const cable_variation::Scene& loaded() const { return loaded_; }      ///< the scene without any edit
+  const std::string& loadedText() const { return loaded_text_; }        ///< of its file; empty: it has none
   const cable_variation::Harness& harness() const { return harness_; }  ///< in force
   const cable_variation::Equilibrium& equilibrium() const { return equilibrium_; }
   /// The shape in force, or while there is none the last one of the design in force; not converged: never
@@ -39,7 +44,11 @@ class SolverContext {
   }
   /// That the last change made, if it was one of the components' places or of clips that close.
   const std::optional<cable_variation::ShapeJump>& lastJump() const { return jump_; }
+  /// Components that are not where the scene has them: on tf, or by an edit of the design.
   const cable_variation::ComponentPoses& moved() const { return moved_; }
+  const cable_variation::ComponentPoses& onTf() const {
+    return on_tf_;
+  }  ///< those alone that tf has elsewhere
 
   /// Of all components in the world, the deviations of the design included.
   cable_variation::ComponentPoses components() const;
@@ -63,6 +72,7 @@ class SolverContext {
     cable_variation::ComponentParts parts;      ///< as far as they have been prepared
     std::size_t design_number = 0;
     DesignOrigin origin;
+    cable_variation::ComponentPoses on_tf = {};
   };
   Snapshot snapshot() const;
   /// Components as far as they have been prepared: those that measures looked at.
@@ -94,9 +104,9 @@ class SolverContext {
   const std::optional<cable_variation::AttachedClips>& lastAttachment() const { return attachment_; }
   const std::vector<bool>& attachedBefore() const { return attached_before_; }  ///< per clip
 
-  /// Components have moved: the shape follows. Whether it could, equilibrium() tells.
+  /// Components have moved on tf: the shape follows. Whether it could, equilibrium() tells.
   /// @param stamp of the newest tf that tells so
-  void move(const cable_variation::ComponentPoses& moved, const ros::Time& stamp);
+  void move(const cable_variation::ComponentPoses& on_tf, const ros::Time& stamp);
 
   /// Components are where they were, as newer tf tells: the stamp alone changes.
   void confirm(const ros::Time& stamp);
@@ -136,11 +146,12 @@ class SolverContext {
   std::vector<cable_variation::MeasureValue> measure(const cable_variation::SolvedScene& at,
                                                      const std::vector<std::size_t>& measures) const;
 
+  cable_variation::InputLimits limits_;
   cable_variation::Scene loaded_;  ///< for reset()
-  std::string source_hash_;
+  std::string loaded_text_;
   std::string author_;
   cable_variation::Design design_;
-  cable_variation::ComponentPoses moved_;
+  cable_variation::ComponentPoses on_tf_, moved_;
   cable_variation::Harness harness_;
   cable_variation::EquilibriumSolver solver_;
   cable_variation::Equilibrium equilibrium_;

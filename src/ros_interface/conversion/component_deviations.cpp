@@ -1,6 +1,7 @@
 #include <ros_interface/conversion/component_deviations.h>
 
 #include <ros_interface/conversion/message_conversion.h>
+#include <ros_interface/conversion/same_poses.h>
 
 namespace cable_variation_ros {
 
@@ -24,12 +25,12 @@ bool isIdentity(const Pose& pose) {
 }  // namespace
 
 ComponentPoses componentDeviations(const Scene& scene, const DesignValues& values,
-                                   const ComponentPoses& moved) {
+                                   const ComponentPoses& moved, const ComponentPoses& on_tf) {
   ComponentPoses deviations;
-  if (values.empty()) return deviations;
+  if (values.empty() && same(moved, on_tf)) return deviations;
   const ComponentPoses actual = componentPosesAt(scene, values, moved);
   for (const Component& component : scene.components) {
-    const Pose designed = componentPose(scene, component.name, moved);
+    const Pose designed = componentPose(scene, component.name, on_tf);
     const Pose deviation = designed.inverse() * actual.at(component.name);
     if (!isIdentity(deviation)) deviations[component.name] = deviation;
   }

@@ -21,8 +21,8 @@ void ClipFrames::publish(const SolverContext& context) {
     const cable_variation::Clip& clip = context.harness().clips[i];
     if (!isMounted(clip)) continue;
     const std::string& parent = scene.clip_mounts[i].component;
-    // tf has components as designed: their deviations are the clip's
-    const Pose pose = componentPose(scene, parent, context.moved()).inverse() * clip.pose;
+    // tf has components as designed: their deviations and shifts are the clip's
+    const Pose pose = componentPose(scene, parent, context.onTf()).inverse() * clip.pose;
     const std::string frame = clipFrame(scene, clip.name);
     const auto known = sent_.find(frame);
     if (known != sent_.end() && known->second.first == parent && same(known->second.second, pose)) continue;

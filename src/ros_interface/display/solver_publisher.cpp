@@ -45,7 +45,7 @@ void SolverPublisher::publish(const SolverContext& context,
   interference_.showMeasures(distanceMarks(scene, firstNumbers(measured.size()), measured), clips);
   shapes_.publish(toCableShapes(context.equilibrium(), context.harness(), context.stamp()));
   const ComponentDeviations deviations =
-      toMessage(componentDeviations(scene, context.design().shifted, context.moved()));
+      toMessage(componentDeviations(scene, context.design().shifted, context.moved(), context.onTf()));
   if (deviations == deviations_shown_) return;
   deviations_.publish(deviations);
   deviations_shown_ = deviations;

@@ -101,7 +101,7 @@ TfFollower::Sight TfFollower::look() {
 void TfFollower::follow() {
   try {
     const Sight sight = look();
-    if (!same(sight.moved, context_.moved())) {
+    if (!same(sight.moved, context_.onTf())) {
       context_.move(sight.moved, sight.newest);
     } else if (sight.stamped) {
       context_.confirm(sight.newest);

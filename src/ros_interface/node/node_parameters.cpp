@@ -123,6 +123,7 @@ CableSolverParameters readCableSolverParameters(const ros::NodeHandle& node) {
         reader.optional("live", parameters.live);
         reader.optionalPositive("live_rate", parameters.live_rate_hz, kHighestRate);
         reader.optionalPositive("tf_timeout", parameters.tf_timeout, kLongestTimeout);
+        reader.optional("interactive", parameters.interactive);
         reader.optional("live_topics", parameters.live_topics);
         reader.optionalCount("threads", parameters.threads, kMostThreads);
         reader.optionalPositive("memory_limit", parameters.memory_limit, kMostMemory);

@@ -30,6 +30,7 @@ struct CableSolverParameters {
   bool live = false;            ///< follow the components on tf
   double live_rate_hz = 200.0;  ///< how often to follow, at most
   double tf_timeout = 1.0;      ///< how old tf may be before it is told [s]
+  bool interactive = true;      ///< clips and components can be dragged in RViz
   bool live_topics = false;     ///< a topic for each measure too
   std::size_t threads = 0;      ///< for envelopes; 0: as many as there are cores
   double memory_limit = 2e9;    ///< for one envelope or simulation [B]

@@ -1,12 +1,11 @@
 #include <ros_interface/request/design_values.h>
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include <cable_variation/Status.h>
 
-#include <cable_variation/util/error.h>
+#include <ros_interface/request/name_lookup.h>
 
 namespace cable_variation_ros {
 
@@ -20,12 +19,7 @@ cable_variation::DesignValues toDesignValues(const cable_variation::Scene& scene
   cable_variation::DesignValues result;
   for (std::size_t i = 0; i < variables.size(); ++i) {
     const std::string& name = variables[i];
-    const bool known =
-        std::any_of(scene.design_variables.begin(), scene.design_variables.end(),
-                    [&](const cable_variation::DesignVariable& variable) { return variable.name == name; });
-    if (!known) {
-      throw cable_variation::NotFound("no design variable named '" + name + "'");
-    }
+    indexOf(name, scene.design_variables, "design variable");
     if (!std::isfinite(values[i])) {
       throw std::invalid_argument("design variable '" + name + "': value is not finite");
     }

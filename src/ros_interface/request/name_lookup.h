@@ -6,22 +6,31 @@
 #include <vector>
 
 #include <cable_variation/util/error.h>
+#include <cable_variation/util/name_list.h>
 
 namespace cable_variation_ros {
 
-/// Where in `all` the names of a request are. Throws cable_variation::NotFound for a name that is not there,
-/// and std::invalid_argument for one given twice; `kind` says what is named.
+/// Where in `all` a name is. Throws cable_variation::NotFound, which proposes the nearest one, for a name
+/// that is not there; `kind` says what is named.
+template <typename Named>
+std::size_t indexOf(const std::string& name, const std::vector<Named>& all, const char* kind) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].name == name) return i;
+    names.push_back(all[i].name);
+  }
+  throw cable_variation::NotFound(std::string("no ") + kind + " named '" + name + "'" +
+                                  cable_variation::didYouMean(name, names));
+}
+
+/// Where in `all` the names of a request are. Throws as indexOf(), and std::invalid_argument for one given
+/// twice; `kind` says what is named.
 template <typename Named>
 std::vector<std::size_t> indicesOf(const std::vector<std::string>& names, const std::vector<Named>& all,
                                    const char* kind) {
   std::vector<std::size_t> indices;
   for (const std::string& name : names) {
-    const auto found =
-        std::find_if(all.begin(), all.end(), [&](const Named& each) { return each.name == name; });
-    if (found == all.end()) {
-      throw cable_variation::NotFound(std::string("no ") + kind + " named '" + name + "'");
-    }
-    const auto index = static_cast<std::size_t>(found - all.begin());
+    const std::size_t index = indexOf(name, all, kind);
     if (std::find(indices.begin(), indices.end(), index) != indices.end()) {
       throw std::invalid_argument(std::string(kind) + " '" + name + "' is given twice");
     }

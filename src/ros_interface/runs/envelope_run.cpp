@@ -44,11 +44,12 @@ double markersOf(const Envelope& envelope) {
 }
 
 InterferenceView interferenceOf(const EnvelopeTask& task, const Scene& scene,
+                                const cable_variation::ComponentPoses& on_tf,
                                 const std::vector<EnvelopeClearance>& found) {
   InterferenceView view;
   view.marks = clearanceMarks(scene, found, !task.options.motions.empty());
   const cable_variation::ComponentPoses deviations =
-      componentDeviations(scene, task.options.values, task.options.moved);
+      componentDeviations(scene, task.options.values, task.options.moved, on_tf);
   for (const cable_variation::Component& component : scene.components) {
     const auto deviation = deviations.find(component.name);
     const auto markers =
@@ -142,7 +143,7 @@ void EnvelopeRun::view(const Result& result) {
   view_.mesh.probability = response_.probability;
   view_.mesh.excess = response_.surface_excess;
   view_.mesh.mesh = response_.mesh;
-  view_.interference = interferenceOf(task_, scene(), result.clearances);
+  view_.interference = interferenceOf(task_, scene(), snapshot_.on_tf, result.clearances);
   view_.origin = viewOrigin(snapshot_, task_.options.motions);
   for (const std::string& warning : warningsOfMoved(view_.origin, task_.options.motions)) warn(warning);
 }

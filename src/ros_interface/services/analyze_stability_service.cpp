@@ -49,7 +49,7 @@ std::vector<ComponentVariation> variationsOf(const Scene& scene, const Stability
   for (std::size_t i = 0; i < scene.components.size(); ++i) {
     const std::vector<std::size_t> own = ownVariables(scene, i);
     if (own.empty()) continue;
-    variations.push_back(componentVariation(scene, i, own, options.values, options.moved));
+    variations.push_back(componentVariation(scene, i, own, options.values, options.moved, context_.onTf()));
   }
   return variations;
 }

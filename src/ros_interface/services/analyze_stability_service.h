@@ -25,10 +25,12 @@ class AnalyzeStabilityService {
   AnalyzeStabilityService(ros::NodeHandle& node, const SolverContext& context, VariationPublisher& publisher,
                           const OutputDirectory& output, NameRegistry& names);
 
- private:
   using Request = cable_variation::AnalyzeStabilityRequest;
   using Response = cable_variation::AnalyzeStabilityResponse;
+  /// Answers a request, and shows what it asks for.
   bool handle(Request& request, Response& response);
+
+ private:
   Response analyse(const Request& request);
   /// Writes the files: what cannot be written is told in the status.
   void writeReport(const Request& request, const cable_variation::Scene& scene,

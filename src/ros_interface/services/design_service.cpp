@@ -1,16 +1,16 @@
 #include <ros_interface/services/design_service.h>
 
-#include <algorithm>
+#include <utility>
 
 #include <ros/console.h>
 #include <ros/node_handle.h>
 
 #include <cable_variation/scene/design_slips.h>
-#include <cable_variation/util/error.h>
 #include <ros_interface/context/solver_context.h>
 #include <ros_interface/conversion/message_conversion.h>
 #include <ros_interface/node/names.h>
 #include <ros_interface/request/design_values.h>
+#include <ros_interface/request/name_lookup.h>
 #include <ros_interface/request/request_status.h>
 
 namespace cable_variation_ros {
@@ -21,15 +21,21 @@ using cable_variation::Status;
 
 namespace {
 
-template <typename Named>
-void requireKnown(const std::vector<Named>& all, const std::string& name, const char* kind) {
-  const bool known =
-      std::any_of(all.begin(), all.end(), [&](const Named& each) { return each.name == name; });
-  if (!known) throw cable_variation::NotFound(std::string("no ") + kind + " named '" + name + "'");
+void add(const cable_variation::NewClip& asked, Design& design) {
+  const cable_variation::Scene& scene = design.scene;
+  if (!asked.component.empty() && asked.component != kWorldFrame)
+    indexOf(asked.component, scene.components, "component");
+  cable_variation::Clip clip;
+  clip.name = asked.name;
+  clip.type = asked.type;
+  clip.cable = indexOf(asked.cable, scene.harness.cables, "cable");
+  clip.arc_length = asked.arc_length;
+  const cable_variation::Pose pose = fromPose(asked.pose, "clip '" + asked.name + "'");
+  addClip(design, std::move(clip), {asked.component.empty() ? kWorldFrame : asked.component, pose});
 }
 
 void apply(const cable_variation::ClipEdit& edit, Design& design) {
-  requireKnown(design.scene.harness.clips, edit.clip, "clip");
+  indexOf(edit.clip, design.scene.harness.clips, "clip");
   if (edit.set_pose) setClipPose(design, edit.clip, fromPose(edit.pose, "clip '" + edit.clip + "'"));
   moveClip(design, edit.clip, fromVector(edit.translation), fromVector(edit.rotation));
   if (edit.set_arc_length) setClipArcLength(design, edit.clip, edit.arc_length);
@@ -57,9 +63,14 @@ Design edited(Design design, const cable_variation::SetDesignRequest& request) {
     setNominal(design, name, value);
   }
   for (const cable_variation::CableEdit& edit : request.cables) {
-    requireKnown(design.scene.harness.cables, edit.cable, "cable");
+    indexOf(edit.cable, design.scene.harness.cables, "cable");
     setCableLength(design, edit.cable, edit.length);
   }
+  for (const cable_variation::ComponentEdit& edit : request.components) {
+    indexOf(edit.component, design.scene.components, "component");
+    setComponentPose(design, edit.component, fromPose(edit.pose, "component '" + edit.component + "'"));
+  }
+  for (const cable_variation::NewClip& clip : request.new_clips) add(clip, design);
   for (const cable_variation::ClipEdit& edit : request.clips) apply(edit, design);
   return design;
 }

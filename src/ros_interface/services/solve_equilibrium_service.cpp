@@ -7,12 +7,12 @@
 
 #include <cable_variation/measures/open_parts.h>
 #include <cable_variation/scene/moving_components.h>
-#include <cable_variation/util/error.h>
 #include <ros_interface/context/solver_context.h>
 #include <ros_interface/conversion/measure_conversion.h>
 #include <ros_interface/conversion/message_conversion.h>
 #include <ros_interface/node/names.h>
 #include <ros_interface/request/design_values.h>
+#include <ros_interface/request/name_lookup.h>
 #include <ros_interface/request/request_status.h>
 
 namespace cable_variation_ros {
@@ -25,16 +25,13 @@ using cable_variation::Status;
 namespace {
 
 ComponentPoses posesOf(const Scene& scene, const std::string& name, double time) {
-  for (const Motion& motion : scene.motions) {
-    if (motion.name != name) continue;
-    if (!(time >= 0.0 && time <= motion.duration())) {
-      std::ostringstream text;
-      text << "motion '" << name << "': time " << time << " s, expected 0 to " << motion.duration() << " s";
-      throw std::invalid_argument(text.str());
-    }
-    return posesDuring(scene, {&motion}, time);
+  const Motion& motion = scene.motions[indexOf(name, scene.motions, "motion")];
+  if (!(time >= 0.0 && time <= motion.duration())) {
+    std::ostringstream text;
+    text << "motion '" << name << "': time " << time << " s, expected 0 to " << motion.duration() << " s";
+    throw std::invalid_argument(text.str());
   }
-  throw cable_variation::NotFound("no motion named '" + name + "'");
+  return posesDuring(scene, {&motion}, time);
 }
 
 std::vector<std::size_t> allMeasures(const Scene& scene) {

@@ -85,7 +85,7 @@ void AnalysesTab::run() {
   choice_->setEnabled(false);
   run_->setEnabled(false);
   cancel_->setEnabled(page()->canCancel());
-  Q_EMIT succeeded();
+  Q_EMIT succeeded(choice_->currentText());
   progress(-1.0, "started", -1.0);
   page()->start();
 }
@@ -111,9 +111,9 @@ void AnalysesTab::end(const QString& failure) {
   bar_->hide();
   left_->hide();
   if (failure.isEmpty()) {
-    Q_EMIT succeeded();
+    Q_EMIT succeeded(choice_->currentText());
   } else {
-    Q_EMIT failed(choice_->currentText() + ": " + failure);
+    Q_EMIT failed(choice_->currentText(), choice_->currentText() + ": " + failure);
   }
 }
 

@@ -28,8 +28,8 @@ class AnalysesTab : public QWidget {
   void setScene(const cable_variation::GetSceneResponse& scene);
 
  Q_SIGNALS:
-  void failed(const QString& message);
-  void succeeded();
+  void failed(const QString& of, const QString& message);
+  void succeeded(const QString& of);
   void variableChosen(const QString& name);
 
  private:

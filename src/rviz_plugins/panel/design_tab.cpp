@@ -23,6 +23,7 @@ namespace cable_variation_rviz {
 
 namespace {
 
+constexpr char kEdit[] = "edit";
 constexpr int kMeasuresPause = 100;  // between two sets of them that are shown [ms]
 
 }  // namespace
@@ -67,7 +68,8 @@ DesignTab::DesignTab(SolverConnection& solver, QWidget* parent)
   layout->addWidget(splitter);
 
   connect(variables_, &VariableTableModel::designEdited, this, &DesignTab::edit);
-  connect(variables_, &VariableTableModel::refused, this, &DesignTab::failed);
+  connect(variables_, &VariableTableModel::refused, this,
+          [this](const QString& message) { Q_EMIT failed(kEdit, message); });
   connect(variable_table_, &VariableTable::chosen, this,
           [this](int row) { showEffect(QString::fromStdString(variables_->variable(row).name)); });
   connect(variable_table_, &VariableTable::resetRequested, this, [this](int row) { variables_->reset(row); });
@@ -102,11 +104,11 @@ void DesignTab::edit(int row, double value) {
       solver_.solver() + "/set_design", request, "set_design " + request.variables[0],
       [this, number](const cable_variation::SetDesignResponse& response, const std::string& failure) {
         edits_done_ = std::max(edits_done_, number);
-        tell(failure);
+        tell(kEdit, failure);
         if (!failure.empty()) {
           setState(cable_variation::DesignState(state_));  // back to what is in force
         } else if (!response.warnings.empty()) {
-          tell(response.warnings.front());
+          tell(kEdit, response.warnings.front());
         }
       });
 }
@@ -118,7 +120,7 @@ void DesignTab::reset() {
       [this, number](const std_srvs::TriggerResponse&, const std::string& failure) {
         edits_done_ = std::max(edits_done_, number);
         setState(cable_variation::DesignState(state_));
-        tell(failure);
+        tell(kEdit, failure);
       });
 }
 
@@ -127,10 +129,11 @@ void DesignTab::showEffect(const QString& variable) {
   request.variables = {variable.toStdString()};
   request.show = request.variables[0];
   request.skip_low_high = true;
-  solver_.ask<cable_variation::AnalyzeStability>(solver_.solver() + "/analyze_stability", request,
-                                                 "show effect",
-                                                 [this](const cable_variation::AnalyzeStabilityResponse&,
-                                                        const std::string& failure) { tell(failure); });
+  solver_.ask<cable_variation::AnalyzeStability>(
+      solver_.solver() + "/analyze_stability", request, "show effect",
+      [this](const cable_variation::AnalyzeStabilityResponse&, const std::string& failure) {
+        tell("effect", failure);
+      });
 }
 
 void DesignTab::showMeasures() {
@@ -141,11 +144,11 @@ void DesignTab::showMeasures() {
   }
 }
 
-void DesignTab::tell(const std::string& failure) {
+void DesignTab::tell(const char* of, const std::string& failure) {
   if (failure.empty()) {
-    Q_EMIT succeeded();
+    Q_EMIT succeeded(of);
   } else {
-    Q_EMIT failed(QString::fromStdString(failure));
+    Q_EMIT failed(of, QString::fromStdString(failure));
   }
 }
 

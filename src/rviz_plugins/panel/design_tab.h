@@ -37,14 +37,14 @@ class DesignTab : public QWidget {
   void showEffect(const QString& variable);
 
  Q_SIGNALS:
-  void failed(const QString& message);
-  void succeeded();  ///< what failed before no longer matters
+  void failed(const QString& of, const QString& message);
+  void succeeded(const QString& of);  ///< what it failed of before no longer matters
 
  private:
   void edit(int row, double value);
   void reset();
   void showMeasures();
-  void tell(const std::string& failure);  ///< how a request ended; empty: well
+  void tell(const char* of, const std::string& failure);  ///< how a request ended; empty: well
 
   SolverConnection& solver_;
   VariableTableModel* variables_;

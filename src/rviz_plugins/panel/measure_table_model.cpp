@@ -61,7 +61,8 @@ QVariant MeasureTableModel::data(const QModelIndex& index, int role) const {
         case kName:
           return signOf(verdict) + " " + QString::fromStdString(measure.name);
         case kValue:
-          return QString::fromStdString(displayNumber(measure.value, measure.unit));
+          return QString::fromStdString(
+              displayNumber(cable_variation::withoutRounding(measure.value, measure.unit), measure.unit));
         case kUnit:
           return QString::fromStdString(cable_variation::displayUnit(measure.unit).symbol);
         default:

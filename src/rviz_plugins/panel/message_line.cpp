@@ -31,7 +31,7 @@ MessageLine::MessageLine(QWidget* parent) : QFrame(parent), area_(new QScrollAre
   close->setText(QString::fromUtf8("\u00d7"));
   close->setAutoRaise(true);
   close->setToolTip("Close");
-  connect(close, &QToolButton::clicked, this, &MessageLine::clear);
+  connect(close, &QToolButton::clicked, this, &MessageLine::clearAll);
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(6, 4, 2, 4);
   layout->addWidget(area_, 1);
@@ -39,20 +39,44 @@ MessageLine::MessageLine(QWidget* parent) : QFrame(parent), area_(new QScrollAre
   hide();
 }
 
-void MessageLine::showError(const QString& text) { show(QString::fromUtf8("\u2718 ") + text, true); }
+void MessageLine::showError(const QString& of, const QString& text) {
+  add({of, QString::fromUtf8("\u2718 ") + text, true});
+}
 
-void MessageLine::showNote(const QString& text) { show(text, false); }
+void MessageLine::showNote(const QString& of, const QString& text) { add({of, text, false}); }
 
-void MessageLine::clear() {
-  label_->clear();
-  error_ = false;
-  hide();
+void MessageLine::clear(const QString& of) {
+  remove(of);
+  show();
+}
+
+void MessageLine::clearAll() {
+  messages_.clear();
+  show();
 }
 
 QString MessageLine::text() const { return label_->text(); }
 
-void MessageLine::show(const QString& text, bool error) {
-  error_ = error;
+bool MessageLine::isError() const {
+  return std::any_of(messages_.begin(), messages_.end(), [](const Message& each) { return each.error; });
+}
+
+void MessageLine::add(const Message& message) {
+  remove(message.of);
+  messages_.insert(messages_.begin(), message);
+  show();
+}
+
+void MessageLine::remove(const QString& of) {
+  messages_.erase(
+      std::remove_if(messages_.begin(), messages_.end(), [&](const Message& each) { return each.of == of; }),
+      messages_.end());
+}
+
+void MessageLine::show() {
+  QStringList lines;
+  for (const Message& each : messages_) lines << each.text;
+  const bool error = isError();
   // Dark red on a pale ground: readable whatever the desktop's colours.
   QPalette colours = palette();
   const QColor ground = error ? QColor(255, 232, 230) : QColor(232, 240, 250);
@@ -61,9 +85,9 @@ void MessageLine::show(const QString& text, bool error) {
   colours.setColor(QPalette::WindowText, letters);
   colours.setColor(QPalette::ButtonText, letters);
   setPalette(colours);
-  label_->setText(text);
-  setVisible(true);
-  fit();
+  label_->setText(lines.join('\n'));
+  setVisible(!messages_.empty());
+  if (!messages_.empty()) fit();
 }
 
 void MessageLine::resizeEvent(QResizeEvent* event) {

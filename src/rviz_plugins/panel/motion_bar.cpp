@@ -67,10 +67,9 @@ void MotionBar::showTime(double time) {
 void MotionBar::play(bool playing) {
   std_srvs::SetBoolRequest request;
   request.data = playing;
-  connection_.ask<std_srvs::SetBool>(player_ + "/play", request, "play",
-                                     [this](const std_srvs::SetBoolResponse&, const std::string& failure) {
-                                       if (!failure.empty()) Q_EMIT failed(QString::fromStdString(failure));
-                                     });
+  connection_.ask<std_srvs::SetBool>(
+      player_ + "/play", request, "play",
+      [this](const std_srvs::SetBoolResponse&, const std::string& failure) { tell("play", failure); });
 }
 
 void MotionBar::seek(double time) {
@@ -79,9 +78,15 @@ void MotionBar::seek(double time) {
   request.time = time;
   connection_.ask<cable_variation::Seek>(
       player_ + "/seek", request, "seek",
-      [this](const cable_variation::SeekResponse&, const std::string& failure) {
-        if (!failure.empty()) Q_EMIT failed(QString::fromStdString(failure));
-      });
+      [this](const cable_variation::SeekResponse&, const std::string& failure) { tell("seek", failure); });
+}
+
+void MotionBar::tell(const char* of, const std::string& failure) {
+  if (failure.empty()) {
+    Q_EMIT succeeded(of);
+  } else {
+    Q_EMIT failed(of, QString::fromStdString(failure));
+  }
 }
 
 }  // namespace cable_variation_rviz

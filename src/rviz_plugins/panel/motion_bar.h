@@ -27,12 +27,14 @@ class MotionBar : public QWidget {
   MotionBar(SolverConnection& connection, std::string player, QWidget* parent = nullptr);
 
  Q_SIGNALS:
-  void failed(const QString& message);
+  void failed(const QString& of, const QString& message);
+  void succeeded(const QString& of);
 
  private:
   void show(const cable_variation::MotionState& state);
   void play(bool playing);
   void seek(double time);
+  void tell(const char* of, const std::string& failure);  ///< how a request ended; empty: well
   void showTime(double time);
 
   SolverConnection& connection_;

@@ -15,20 +15,30 @@
 
 #include <cable_variation/GetScene.h>
 #include <cable_variation/LoadScene.h>
+#include <cable_variation/SaveScene.h>
 
 #include <rviz_plugins/panel/analyses_tab.h>
 #include <rviz_plugins/panel/camera_start.h>
 #include <rviz_plugins/panel/design_tab.h>
 #include <rviz_plugins/panel/message_line.h>
 #include <rviz_plugins/panel/motion_bar.h>
+#include <rviz_plugins/panel/save_dialog.h>
 #include <rviz_plugins/panel/solver_connection.h>
 
 namespace cable_variation_rviz {
+
+namespace {
+
+// What messages are of.
+constexpr char kLoad[] = "load", kSave[] = "save";
+
+}  // namespace
 
 ReviewPanel::ReviewPanel(QWidget* parent)
     : rviz::Panel(parent),
       scene_(new QLabel),
       load_(new QPushButton(QString::fromUtf8("Load\u2026"))),
+      save_(new QPushButton(QString::fromUtf8("Save\u2026"))),
       tabs_(new QTabWidget),
       motion_place_(new QVBoxLayout),
       message_(new MessageLine) {
@@ -37,10 +47,15 @@ ReviewPanel::ReviewPanel(QWidget* parent)
   load_->setObjectName("load");
   load_->setToolTip("Another scene, in all nodes");
   connect(load_, &QPushButton::clicked, this, &ReviewPanel::chooseScene);
+  save_->setObjectName("save");
+  save_->setToolTip("The design as a scene file of its own");
+  save_->setEnabled(false);
+  connect(save_, &QPushButton::clicked, this, &ReviewPanel::chooseName);
   scene_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* top = new QHBoxLayout;
   top->addWidget(scene_, 1);
   top->addWidget(load_);
+  top->addWidget(save_);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 4, 4, 4);
   layout->addLayout(top);
@@ -112,6 +127,7 @@ void ReviewPanel::connectTo(const std::string& solver, const std::string& player
   motion_ = new MotionBar(*solver_, player);
   motion_place_->addWidget(motion_);
   connect(motion_, &MotionBar::failed, message_, &MessageLine::showError);
+  connect(motion_, &MotionBar::succeeded, message_, &MessageLine::clear);
   states_ = solver_->hear<cable_variation::DesignState>(
       solver + "/design", [this](const cable_variation::DesignStateConstPtr& state) { follow(state); });
 }
@@ -119,6 +135,7 @@ void ReviewPanel::connectTo(const std::string& solver, const std::string& player
 void ReviewPanel::follow(const cable_variation::DesignStateConstPtr& state) {
   const bool other = !state_ || state_->source != state->source || state_->loads != state->loads;
   state_ = state;
+  save_->setEnabled(true);
   const QFileInfo file(QString::fromStdString(state->source));
   scene_->setText("<b>" + file.fileName().toHtmlEscaped() + "</b>" + (state->edited ? ", edited" : ""));
   scene_->setToolTip(file.absoluteFilePath());
@@ -137,15 +154,40 @@ void ReviewPanel::chooseScene() {
   if (file.isEmpty()) return;
   cable_variation::LoadSceneRequest request;
   request.scene = file.toStdString();
-  message_->showNote("loading " + file);
+  message_->showNote(kLoad, "loading " + file);
   solver_->ask<cable_variation::LoadScene>(
       solver_name_ + "/load_scene", request, "load",
       [this](const cable_variation::LoadSceneResponse&, const std::string& failure) {
         if (failure.empty()) {
-          message_->clear();
+          message_->clearAll();
         } else {
-          message_->showError(QString::fromStdString(failure));
+          message_->showError(kLoad, QString::fromStdString(failure));
         }
+      });
+}
+
+void ReviewPanel::chooseName() {
+  const QString file =
+      state_ ? QFileInfo(QString::fromStdString(state_->source)).completeBaseName() : "scene";
+  auto* dialog = new SaveDialog(file + "_edited", this);
+  connect(dialog, &SaveDialog::chosen, this, &ReviewPanel::saveScene);
+  dialog->open();
+}
+
+void ReviewPanel::saveScene(const QString& name, bool overwrite) {
+  cable_variation::SaveSceneRequest request;
+  request.name = name.toStdString();
+  request.overwrite = overwrite;
+  solver_->ask<cable_variation::SaveScene>(
+      solver_name_ + "/save_scene", request, "",
+      [this](const cable_variation::SaveSceneResponse& answer, const std::string& failure) {
+        if (!failure.empty()) {
+          message_->showError(kSave, QString::fromStdString(failure));
+          return;
+        }
+        QStringList lines{"saved as " + QString::fromStdString(answer.file)};
+        for (const std::string& warning : answer.warnings) lines << QString::fromStdString(warning);
+        message_->showNote(kSave, lines.join('\n'));
       });
 }
 
@@ -154,10 +196,10 @@ void ReviewPanel::takeScene() {
       solver_name_ + "/get_scene", {}, "scene",
       [this](const cable_variation::GetSceneResponse& scene, const std::string& failure) {
         if (!failure.empty()) {
-          message_->showError(QString::fromStdString(failure));
+          message_->showError(kLoad, QString::fromStdString(failure));
           return;
         }
-        message_->clear();
+        message_->clear(kLoad);
         camera_->sceneChanged();
         design_->setScene(scene);
         analyses_->setScene(scene);

@@ -45,11 +45,14 @@ class ReviewPanel : public rviz::Panel {
   void takeScene();
   void takePlace();
   void chooseScene();
+  void chooseName();
+  void saveScene(const QString& name, bool overwrite);
 
   std::string solver_name_ = "/cable_solver";
   std::string player_name_ = "/moving_geometry_node";
   QLabel* scene_;
   QPushButton* load_;
+  QPushButton* save_;
   QTabWidget* tabs_;
   QVBoxLayout* motion_place_;
   MessageLine* message_;
