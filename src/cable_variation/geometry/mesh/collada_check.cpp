@@ -11,7 +11,8 @@
 
 #include <tinyxml2.h>
 
-#include <cable_variation/geometry/mesh/text_tokens.h>
+#include <cable_variation/util/text_tokens.h>
+#include <cable_variation/util/xml_size.h>
 
 namespace cable_variation {
 namespace {
@@ -20,6 +21,7 @@ using tinyxml2::XMLElement;
 
 constexpr std::uint64_t kMostNodes = 100000;  // with every instance of each
 constexpr std::uint64_t kMostInputs = 64;
+constexpr std::uint64_t kMostCorners = 10000;  // of a polygon: the time to divide it grows with the square
 
 [[noreturn]] void fail(const XMLElement& at, const std::string& what) {
   throw std::invalid_argument("not readable as dae: line " + std::to_string(at.GetLineNum()) + ": " +
@@ -178,6 +180,12 @@ class ColladaCheck {
     return count(*accessor, "count", 0);
   }
 
+  static void requireFewCorners(const XMLElement& at, std::uint64_t corners) {
+    if (corners <= kMostCorners) return;
+    fail(at, "a polygon of " + std::to_string(corners) + " corners; expected at most " +
+                 std::to_string(kMostCorners));
+  }
+
   void checkShape(const XMLElement& shape) const {
     std::uint64_t stride = 1;
     std::vector<std::pair<std::uint64_t, std::uint64_t>> inputs;  // offset, entries
@@ -207,6 +215,7 @@ class ColladaCheck {
       }
       total += found.size() / stride;
       ++lists;
+      if (isNamed(shape, "polygons")) requireFewCorners(*list, found.size() / stride);
     }
     const std::uint64_t announced = count(shape, "count", 0);
     if (isNamed(shape, "triangles") || isNamed(shape, "lines")) {
@@ -222,6 +231,7 @@ class ColladaCheck {
         for (const std::uint64_t size : indices(*sizes)) {
           if (size > total)
             fail(*sizes, "a polygon of " + std::to_string(size) + " corners; there are not as many");
+          requireFewCorners(*sizes, size);
           corners += size;
           ++polygons;
         }
@@ -265,7 +275,8 @@ class ColladaCheck {
 
 }  // namespace
 
-void checkCollada(const std::string& text) {
+void checkCollada(const std::string& text, std::size_t most_parts) {
+  requireXmlSize(text, most_parts);
   tinyxml2::XMLDocument document;
   if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
     throw std::invalid_argument("not readable as dae: line " + std::to_string(document.ErrorLineNum()) +

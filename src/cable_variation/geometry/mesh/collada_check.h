@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include <cable_variation/util/input_limits.h>
+
 namespace cable_variation {
 
 /// Looks at a COLLADA document before an importer does that trusts it: arrays hold as many numbers as they
@@ -9,6 +11,7 @@ namespace cable_variation {
 /// numbers within what they index; nodes do not instance themselves, by way of others either, and all of them
 /// together are not more than kMostNodes; references lead to what is there.
 /// Throws std::invalid_argument with the line and what was expected.
-void checkCollada(const std::string& document);
+/// @param most_parts elements and attributes
+void checkCollada(const std::string& document, std::size_t most_parts = InputLimits().xml_parts);
 
 }  // namespace cable_variation

@@ -2,25 +2,19 @@
 
 #include <algorithm>
 #include <cctype>
+#include <csignal>
 #include <filesystem>
-#include <fstream>
-#include <map>
-#include <memory>
-#include <sstream>
 #include <stdexcept>
 
-#include <assimp/BaseImporter.h>
-#include <assimp/Importer.hpp>
-#include <assimp/config.h>
-#include <assimp/importerdesc.h>
-#include <assimp/postprocess.h>
-#include <assimp/scene.h>
-
-#include <cable_variation/geometry/mesh/collada_check.h>
+#include <cable_variation/geometry/mesh/imported_mesh.h>
 #include <cable_variation/geometry/mesh/obj_reader.h>
 #include <cable_variation/geometry/mesh/ply_reader.h>
+#include <cable_variation/geometry/mesh/soup_builder.h>
 #include <cable_variation/geometry/mesh/stl_reader.h>
-#include <cable_variation/util/error.h>
+#include <cable_variation/util/child_process.h>
+#include <cable_variation/util/helper_program.h>
+#include <cable_variation/util/readable_text.h>
+#include <cable_variation/util/regular_file.h>
 
 namespace cable_variation {
 namespace {
@@ -32,65 +26,6 @@ std::string lowerExtension(const std::string& path) {
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return extension;
 }
-
-bool reads(const aiImporterDesc& importer, const std::string& extension) {
-  std::istringstream extensions(importer.mFileExtensions);
-  for (std::string word; extensions >> word;) {
-    if (word == extension) return true;
-  }
-  return false;
-}
-
-// Leaves one importer registered, so that a file's content cannot choose another.
-void keepOnly(const std::string& extension, Assimp::Importer& importer) {
-  for (std::size_t i = importer.GetImporterCount(); i-- > 0;) {
-    if (reads(*importer.GetImporterInfo(i), extension)) continue;
-    std::unique_ptr<Assimp::BaseImporter> removed(importer.GetImporter(i));
-    if (importer.UnregisterLoader(removed.get()) != aiReturn_SUCCESS) {
-      removed.release();
-      throw InternalError("a mesh importer could not be unregistered");
-    }
-  }
-}
-
-// Collects the triangles of a tree of nodes, merging equal vertices.
-class MeshBuilder {
- public:
-  explicit MeshBuilder(const aiScene& scene) : scene_(scene) {}
-
-  void add(const aiNode& node, const aiMatrix4x4& parent) {
-    const aiMatrix4x4 transform = parent * node.mTransformation;
-    for (unsigned i = 0; i < node.mNumMeshes; ++i) add(*scene_.mMeshes[node.mMeshes[i]], transform);
-    for (unsigned i = 0; i < node.mNumChildren; ++i) add(*node.mChildren[i], transform);
-  }
-
-  TriangleMesh mesh;
-
- private:
-  void add(const aiMesh& source, const aiMatrix4x4& transform) {
-    std::vector<std::uint32_t> index(source.mNumVertices);
-    for (unsigned i = 0; i < source.mNumVertices; ++i) {
-      const aiVector3D p = transform * source.mVertices[i];
-      const Eigen::Vector3d point(static_cast<double>(p.x), static_cast<double>(p.y),
-                                  static_cast<double>(p.z));
-      if (!point.allFinite()) throw std::invalid_argument("a vertex is not finite");
-      const auto [it, is_new] = indices_.try_emplace({point.x(), point.y(), point.z()},
-                                                     static_cast<std::uint32_t>(mesh.vertices.size()));
-      if (is_new) mesh.vertices.push_back(point);
-      index[i] = it->second;
-    }
-    for (unsigned i = 0; i < source.mNumFaces; ++i) {
-      const aiFace& face = source.mFaces[i];
-      if (face.mNumIndices != 3) continue;  // points and lines bound nothing
-      const std::array<std::uint32_t, 3> t{index[face.mIndices[0]], index[face.mIndices[1]],
-                                           index[face.mIndices[2]]};
-      if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) mesh.triangles.push_back(t);
-    }
-  }
-
-  const aiScene& scene_;
-  std::map<std::array<double, 3>, std::uint32_t> indices_;
-};
 
 double area(const TriangleMesh& mesh) {
   double sum = 0.0;
@@ -104,51 +39,61 @@ double area(const TriangleMesh& mesh) {
   return sum;
 }
 
-TriangleMesh readCollada(const std::string& path, const std::string& contents) {
-  checkCollada(contents);
-  Assimp::Importer importer;
-  keepOnly("dae", importer);
-  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
-  importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, aiComponent_NORMALS | aiComponent_COLORS |
-                                                          aiComponent_TEXCOORDS | aiComponent_TEXTURES |
-                                                          aiComponent_MATERIALS);
-  const aiScene* scene = importer.ReadFile(path, aiProcess_RemoveComponent | aiProcess_Triangulate);
-  if (!scene || !scene->mRootNode) {
-    throw std::invalid_argument(std::string("not readable as dae: ") + importer.GetErrorString());
+// By a process of its own, for what reads it cannot be trusted.
+TriangleMesh readCollada(const std::string& contents, const InputLimits& limits) {
+  const std::string seconds = std::to_string(limits.import_seconds);
+  const ChildRun run =
+      runChild(helperProgram("collada_importer"),
+               {std::to_string(limits.import_memory), seconds, std::to_string(limits.xml_parts),
+                std::to_string(limits.triangles)},
+               contents, static_cast<double>(limits.import_seconds), mostBytesOf(limits.triangles));
+  const auto took_too_long = [&] {
+    return std::invalid_argument("reading it took longer than the " + seconds +
+                                 " s of the limit import_seconds; it was given up");
+  };
+  const auto took_too_much = [&] {
+    return std::invalid_argument("reading it took more than the " + std::to_string(limits.import_memory) +
+                                 " bytes of the limit import_memory; it was given up");
+  };
+  switch (run.end) {
+    case ChildRun::End::took_too_long:
+      throw took_too_long();
+    case ChildRun::End::wrote_too_much:
+      throw std::invalid_argument("it has more triangles; " + atMost(limits.triangles, "triangles"));
+    case ChildRun::End::killed_by_signal:
+      if (run.code == SIGXCPU || run.code == SIGKILL) throw took_too_long();
+      throw std::invalid_argument("its importer crashed (" + signalName(run.code) +
+                                  "); expected a file that can be read");
+    case ChildRun::End::exited:
+      break;
   }
-  MeshBuilder builder(*scene);
-  builder.add(*scene->mRootNode, aiMatrix4x4());
-  return std::move(builder.mesh);
+  if (run.code == static_cast<int>(ImportEnd::refused)) throw std::invalid_argument(readableText(run.output));
+  if (run.code == static_cast<int>(ImportEnd::out_of_memory)) throw took_too_much();
+  if (run.code != static_cast<int>(ImportEnd::mesh)) {
+    throw std::invalid_argument("its importer ended with code " + std::to_string(run.code));
+  }
+  const ImportedMesh imported = importedMesh(run.output);
+  SoupBuilder builder;
+  std::vector<std::uint32_t> vertices;
+  for (const auto& [x, y, z] : imported.points) vertices.push_back(builder.vertex({x, y, z}));
+  for (const auto& [a, b, c] : imported.triangles) {
+    builder.polygon({vertices[a], vertices[b], vertices[c]});
+  }
+  return builder.take();
 }
 
-std::string contentsOf(const std::string& path) {
-  constexpr std::uintmax_t kLargest = std::uintmax_t{1} << 31U;  // bytes
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) throw std::invalid_argument("no such file");
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
-  if (error || size > kLargest) {
-    throw std::invalid_argument(error ? error.message() : "it is larger than 2 GiB");
-  }
-  std::string contents(size, '\0');
-  std::ifstream file(path, std::ios::binary);
-  if (!file.read(contents.data(), static_cast<std::streamsize>(size))) {
-    throw std::invalid_argument("it cannot be read");
-  }
-  return contents;
-}
-
-TriangleMesh readUnscaled(const std::string& path) {
+TriangleMesh readUnscaled(const std::string& path, const InputLimits& limits) {
   const std::string extension = lowerExtension(path);
   const std::vector<std::string> allowed{"stl", "obj", "ply", "dae"};
   if (std::find(allowed.begin(), allowed.end(), extension) == allowed.end()) {
     throw std::invalid_argument("extension '" + extension +
                                 "' is not a mesh's; expected stl, obj, ply or dae");
   }
-  const std::string contents = contentsOf(path);
-  if (extension == "ply") return readPly(contents);
-  if (extension == "stl") return readStl(contents);
-  if (extension == "obj") return readObj(contents);
-  return readCollada(path, contents);
+  const std::string contents = readWhole(path, extension == "dae" ? limits.collada_bytes : limits.mesh_bytes);
+  if (extension == "ply") return readPly(contents, limits.triangles);
+  if (extension == "stl") return readStl(contents, limits.triangles);
+  if (extension == "obj") return readObj(contents, limits.triangles);
+  return readCollada(contents, limits);
 }
 
 }  // namespace
@@ -162,9 +107,9 @@ TriangleMesh scaled(const TriangleMesh& mesh, const Eigen::Vector3d& scale) {
   return result;
 }
 
-TriangleMesh readMesh(const std::string& path, const Eigen::Vector3d& scale) {
+TriangleMesh readMesh(const std::string& path, const Eigen::Vector3d& scale, const InputLimits& limits) {
   try {
-    TriangleMesh mesh = scaled(readUnscaled(path), scale);
+    TriangleMesh mesh = scaled(readUnscaled(path, limits), scale);
     for (const Eigen::Vector3d& vertex : mesh.vertices) {
       if (!vertex.allFinite()) throw std::invalid_argument("a vertex is not finite");
     }

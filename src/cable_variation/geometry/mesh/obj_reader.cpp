@@ -5,14 +5,14 @@
 #include <string>
 
 #include <cable_variation/geometry/mesh/soup_builder.h>
-#include <cable_variation/geometry/mesh/text_tokens.h>
+#include <cable_variation/util/text_tokens.h>
 
 namespace cable_variation {
 namespace {
 
 class ObjReader {
  public:
-  explicit ObjReader(std::string_view file) : words_(file) {}
+  ObjReader(std::string_view file, std::size_t most_triangles) : words_(file), builder_(most_triangles) {}
 
   TriangleMesh read() {
     while (!words_.atEnd()) {
@@ -83,11 +83,11 @@ class ObjReader {
 
 }  // namespace
 
-TriangleMesh readObj(std::string_view file) {
+TriangleMesh readObj(std::string_view file, std::size_t most_triangles) {
   if (file.find('\0') != std::string_view::npos) {
     throw std::invalid_argument("not readable as obj: it holds a byte 0; expected a text");
   }
-  return ObjReader(file).read();
+  return ObjReader(file, most_triangles).read();
 }
 
 }  // namespace cable_variation

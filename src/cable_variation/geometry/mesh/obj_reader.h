@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include <cable_variation/geometry/mesh/triangle_mesh.h>
+#include <cable_variation/util/input_limits.h>
 
 namespace cable_variation {
 
@@ -12,6 +13,6 @@ namespace cable_variation {
 /// told from a whole one.
 /// Throws std::invalid_argument with the line: a coordinate that is no finite number, a face of fewer than
 /// three corners or of a vertex that is not there.
-TriangleMesh readObj(std::string_view file);
+TriangleMesh readObj(std::string_view file, std::size_t most_triangles = InputLimits().triangles);
 
 }  // namespace cable_variation

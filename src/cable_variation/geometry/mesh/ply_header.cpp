@@ -5,10 +5,12 @@
 #include <map>
 #include <stdexcept>
 
-#include <cable_variation/geometry/mesh/text_tokens.h>
+#include <cable_variation/util/text_tokens.h>
 
 namespace cable_variation {
 namespace {
+
+constexpr std::size_t kMostElements = 100, kMostProperties = 1000;
 
 [[noreturn]] void fail(std::size_t line, const std::string& what) {
   throw std::invalid_argument("line " + std::to_string(line) + " of the header: " + what);
@@ -123,6 +125,7 @@ PlyHeader::PlyHeader(std::string_view file) {
       has_format = true;
     } else if (words[0] == "element") {
       elements.push_back(element(words, lines));
+      if (elements.size() > kMostElements) fail(lines, "more than 100 elements; expected vertex and face");
       for (std::size_t i = 0; i + 1 < elements.size(); ++i) {
         if (elements[i].name == elements.back().name) {
           fail(lines, "found the element " + quoted(elements[i].name) + " twice");
@@ -133,6 +136,9 @@ PlyHeader::PlyHeader(std::string_view file) {
       if (elements.back().find({made.name}))
         fail(lines, "found the property " + quoted(made.name) + " twice");
       elements.back().properties.push_back(std::move(made));
+      if (elements.back().properties.size() > kMostProperties) {
+        fail(lines, "more than 1000 properties of an element; expected fewer");
+      }
     } else {
       fail(lines,
            "found " + quoted(words[0]) +

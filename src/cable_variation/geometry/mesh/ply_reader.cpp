@@ -8,7 +8,7 @@
 
 #include <cable_variation/geometry/mesh/ply_header.h>
 #include <cable_variation/geometry/mesh/soup_builder.h>
-#include <cable_variation/geometry/mesh/text_tokens.h>
+#include <cable_variation/util/text_tokens.h>
 
 namespace cable_variation {
 namespace {
@@ -111,7 +111,8 @@ class TextSource : public Source {
 
 class PlyReader {
  public:
-  PlyReader(const PlyHeader& header, Source& source) : header_(header), source_(source) {}
+  PlyReader(const PlyHeader& header, Source& source, std::size_t most_triangles)
+      : header_(header), source_(source), builder_(most_triangles) {}
 
   TriangleMesh read() {
     bool has_faces = false;
@@ -209,18 +210,18 @@ class PlyReader {
 
 }  // namespace
 
-TriangleMesh readPly(std::string_view file) {
+TriangleMesh readPly(std::string_view file, std::size_t most_triangles) {
   const PlyHeader header(file);
   if (header.format != PlyHeader::Format::text) {
     BinarySource source(file.substr(header.size), header.format == PlyHeader::Format::big_endian);
-    return PlyReader(header, source).read();
+    return PlyReader(header, source, most_triangles).read();
   }
   std::string text(file.substr(header.size));
   if (text.find('\n') == std::string::npos) {  // lines of old, that end with a carriage return
     for (char& c : text) c = c == '\r' ? '\n' : c;
   }
   TextSource source(text, header.lines);
-  return PlyReader(header, source).read();
+  return PlyReader(header, source, most_triangles).read();
 }
 
 }  // namespace cable_variation

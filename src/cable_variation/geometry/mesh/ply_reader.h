@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include <cable_variation/geometry/mesh/triangle_mesh.h>
+#include <cable_variation/util/input_limits.h>
 
 namespace cable_variation {
 
@@ -13,6 +14,6 @@ namespace cable_variation {
 /// Throws std::invalid_argument with what was expected where: the header is none, the file is cut off or goes
 /// on behind its last element, a coordinate that is no finite number, a face of fewer than three corners or
 /// of a vertex that is not there. A text's last line must end, or it could not be told from one cut off.
-TriangleMesh readPly(std::string_view file);
+TriangleMesh readPly(std::string_view file, std::size_t most_triangles = InputLimits().triangles);
 
 }  // namespace cable_variation

@@ -5,7 +5,7 @@
 #include <string>
 
 #include <cable_variation/geometry/mesh/soup_builder.h>
-#include <cable_variation/geometry/mesh/text_tokens.h>
+#include <cable_variation/util/text_tokens.h>
 
 namespace cable_variation {
 namespace {
@@ -20,8 +20,8 @@ std::uint32_t littleEndian32(const char* bytes) {
   return value;
 }
 
-TriangleMesh readBinary(std::string_view file, std::uint32_t facets) {
-  SoupBuilder builder;
+TriangleMesh readBinary(std::string_view file, std::uint32_t facets, std::size_t most_triangles) {
+  SoupBuilder builder(most_triangles);
   for (std::size_t i = 0; i < facets; ++i) {
     const char* bytes = file.data() + kHeader + i * kFacet + 12;  // behind the normal
     std::vector<std::uint32_t> corners;
@@ -45,7 +45,7 @@ TriangleMesh readBinary(std::string_view file, std::uint32_t facets) {
 
 class TextReader {
  public:
-  explicit TextReader(std::string_view file) : words_(file) {}
+  TextReader(std::string_view file, std::size_t most_triangles) : words_(file), builder_(most_triangles) {}
 
   TriangleMesh read() {
     while (!words_.atEnd()) {
@@ -102,15 +102,15 @@ class TextReader {
 
 }  // namespace
 
-TriangleMesh readStl(std::string_view file) {
+TriangleMesh readStl(std::string_view file, std::size_t most_triangles) {
   if (file.size() >= kHeader) {
     const std::uint32_t facets = littleEndian32(file.data() + 80);
-    if (facets <= (file.size() - kHeader) / kFacet) return readBinary(file, facets);
+    if (facets <= (file.size() - kHeader) / kFacet) return readBinary(file, facets, most_triangles);
   }
   TextTokens words(file);
   const auto first = words.next();
   if (first && lowerCase(*first) == "solid" && file.find('\0') == std::string_view::npos) {
-    return TextReader(file).read();
+    return TextReader(file, most_triangles).read();
   }
   if (file.size() < kHeader) {
     throw std::invalid_argument("not readable as stl: it begins with " + quoted(first.value_or("")) +

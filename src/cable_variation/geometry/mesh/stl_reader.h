@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include <cable_variation/geometry/mesh/triangle_mesh.h>
+#include <cable_variation/util/input_limits.h>
 
 namespace cable_variation {
 
@@ -10,6 +11,6 @@ namespace cable_variation {
 /// facets as it announces, 50 bytes each, whatever it begins with. Bytes after the last facet are passed
 /// over, as are attributes and normals; a text may hold several solids. Throws std::invalid_argument with
 /// what was expected where: cut off, words that are none of STL's, a coordinate that is no finite number.
-TriangleMesh readStl(std::string_view file);
+TriangleMesh readStl(std::string_view file, std::size_t most_triangles = InputLimits().triangles);
 
 }  // namespace cable_variation

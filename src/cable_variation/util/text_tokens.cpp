@@ -1,4 +1,4 @@
-#include <cable_variation/geometry/mesh/text_tokens.h>
+#include <cable_variation/util/text_tokens.h>
 
 #include <cmath>
 #include <system_error>

@@ -1,4 +1,4 @@
-#pragma once  // internal to geometry/
+#pragma once
 
 #include <optional>
 #include <string>
