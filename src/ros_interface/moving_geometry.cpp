@@ -33,8 +33,8 @@ const Component& componentOf(const Scene& scene, const Motion& motion) {
 }
 
 // Without the motions of what others drive.
-Scene loadMotions(const std::string& address) {
-  Scene scene = loadScene(address);
+Scene loadMotions(const std::string& address, const cable_variation::InputLimits& limits) {
+  Scene scene = loadScene(address, limits);
   const auto driven = [&](const Motion& motion) {
     return componentOf(scene, motion).driven_by != ComponentDriver::scene;
   };
@@ -77,7 +77,7 @@ MovingGeometry::MovingGeometry(ros::NodeHandle node, const MovingGeometryParamet
 }
 
 void MovingGeometry::load(const std::string& address) {
-  take(loadMotions(address));
+  take(loadMotions(address, parameters_.limits));
   ROS_INFO("moving_geometry_node plays %zu motions of %s%s", scene_->motions.size(), scene_->source.c_str(),
            joints_->hasJoints() ? (" and follows " + parameters_.joint_states).c_str() : "");
 }

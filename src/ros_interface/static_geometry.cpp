@@ -12,7 +12,8 @@ namespace cable_variation_ros {
 using cable_variation::Scene;
 
 StaticGeometry::StaticGeometry(ros::NodeHandle node, const StaticGeometryParameters& parameters)
-    : display_(node),
+    : limits_(parameters.limits),
+      display_(node),
       follower_(node, parameters.scene, [this](const std::string& address) { load(address); }) {
   if (parameters.scene.empty()) {
     show(std::make_shared<const Scene>());
@@ -23,7 +24,7 @@ StaticGeometry::StaticGeometry(ros::NodeHandle node, const StaticGeometryParamet
 }
 
 void StaticGeometry::load(const std::string& address) {
-  show(std::make_shared<const Scene>(loadScene(address)));
+  show(std::make_shared<const Scene>(loadScene(address, limits_)));
 }
 
 void StaticGeometry::show(std::shared_ptr<const Scene> scene) {

@@ -23,6 +23,7 @@ class StaticGeometry {
   void load(const std::string& address);
   void show(std::shared_ptr<const cable_variation::Scene> scene);
 
+  cable_variation::InputLimits limits_;
   ComponentDisplay display_;
   std::unique_ptr<tf2_ros::StaticTransformBroadcaster> broadcaster_;
   SceneFollower follower_;

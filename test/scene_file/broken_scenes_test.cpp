@@ -142,7 +142,7 @@ TEST(SceneErrors, staysReadableWhateverTheFileHolds) {
     FAIL() << "the scene was read";
   } catch (const SceneError& error) {
     const std::string what = error.what();
-    EXPECT_GT(error.faults().size(), 2000U);
+    EXPECT_GT(error.faults().size(), 1000U);
     EXPECT_LT(what.size(), 500U * 200U);
     EXPECT_NE(what.find(" bytes) ... "), std::string::npos);
     EXPECT_EQ(what.substr(what.rfind('\n') + 1, 4), "and ");

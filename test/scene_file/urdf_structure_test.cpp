@@ -70,7 +70,11 @@ TEST(UrdfStructure, diamonds) {
       const std::string above = "l" + std::to_string(i - 1), here = "l" + std::to_string(i);
       content += link(here) + joint("a" + here, above, here) + joint("b" + here, above, here);
     }
-    EXPECT_EQ(read(robot(content)).faults.size(), static_cast<std::size_t>(count - 1));
+    const Faults faults = read(robot(content)).faults;
+    EXPECT_EQ(faults.size(), static_cast<std::size_t>(std::min(count - 1, 101)));
+    if (count == 2000) {
+      EXPECT_EQ(faults.back(), "and 1899 more faults of its links and joints");
+    }
   }
 }
 
@@ -110,6 +114,29 @@ TEST(UrdfStructure, nestingHasAnEnd) {
     ASSERT_EQ(read(text).faults.size(), 1U);
     EXPECT_NE(read(text).faults[0].find("its elements are nested too deep"), std::string::npos);
   }
+}
+
+// As many elements or attributes as a parser would take all memory for.
+TEST(UrdfStructure, theNumberOfElementsHasAnEnd) {
+  std::string elements, attributes = "<robot";
+  for (int i = 0; i < 1200000; ++i) {
+    elements += "<a/>";
+    attributes += " b=''";
+  }
+  EXPECT_EQ(read(robot(elements)).faults.size(), 1U);
+  const std::string said = read(robot(elements + elements)).faults.at(0);
+  EXPECT_NE(said.find("expected at most 2000000 (the limit xml_parts)"), std::string::npos) << said;
+  EXPECT_NE(read(attributes + attributes).faults.at(0).find("xml_parts"), std::string::npos);
+}
+
+// A fault for each of many joints, each with names to be looked through, is told in no time.
+TEST(UrdfStructure, manyFaultsTakeNoTime) {
+  std::string content;
+  for (int i = 0; i < 30000; ++i) content += link("a_link_of_a_long_name_" + std::to_string(i));
+  for (int i = 0; i < 30000; ++i) content += joint("j" + std::to_string(i), "a_link_of_a_long_nome", "none");
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_EQ(read(robot(content)).faults.size(), 101U);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
 }
 
 // However long a chain is, and in whatever order its links and joints are listed: its poses add up.

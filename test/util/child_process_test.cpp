@@ -25,7 +25,7 @@ ChildRun shell(const std::string& script, const std::string& input = "", double 
 
 TEST(ChildProcess, HandsOverInputAndOutputAsTheyAre) {
   std::string bytes;
-  for (int i = 0; i < 300000; ++i) bytes += static_cast<char>(i * 7919 >> 3);
+  for (unsigned i = 0; i < 300000U; ++i) bytes += static_cast<char>(i * 7919U >> 3U);
   const ChildRun run = shell("cat", bytes);
   EXPECT_EQ(run.end, ChildRun::End::exited);
   EXPECT_EQ(run.code, 0);

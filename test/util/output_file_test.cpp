@@ -161,6 +161,26 @@ TEST_F(OutputFileTest, AFolderThatIsNotThereIsNamed) {
   EXPECT_EQ(names(), (std::set<std::string>{"file", "taken"}));
 }
 
+// What stands in the file's place is replaced, not opened: a link leads nowhere, nobody waits for a pipe.
+TEST_F(OutputFileTest, LinksAndPipesInItsPlaceAreReplaced) {
+  const fs::path outside = folder_ / "outside";
+  fs::create_directories(outside);
+  std::ofstream(outside / "kept") << "kept";
+  const fs::path out = folder_ / "out";
+  fs::create_directories(out);
+  fs::create_symlink(outside / "kept", out / "link");
+  fs::create_symlink(outside / "new", out / "to_nothing");
+  fs::create_symlink(outside, out / "to_folder");
+  ASSERT_EQ(mkfifo((out / "pipe").c_str(), 0600), 0);
+  for (const char* name : {"link", "to_nothing", "to_folder", "pipe"}) {
+    writeFile(out / name, "written");
+    EXPECT_EQ(fs::symlink_status(out / name).type(), fs::file_type::regular) << name;
+    EXPECT_EQ(contentsOf(out / name), "written") << name;
+  }
+  EXPECT_EQ(contentsOf(outside / "kept"), "kept");
+  EXPECT_EQ(std::distance(fs::directory_iterator(outside), {}), 1);
+}
+
 TEST_F(OutputFileTest, ADiskThatFillsLeavesTheOldFileAndNothingElse) {
   const std::string path = folder_ / "report.html";
   writeFile(path, "old");

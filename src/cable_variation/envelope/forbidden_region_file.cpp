@@ -1,16 +1,16 @@
 #include <cable_variation/envelope/forbidden_region.h>
 
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <system_error>
 
 #include <cable_variation/util/error.h>
+#include <cable_variation/util/input_limits.h>
 #include <cable_variation/util/number_text.h>
+#include <cable_variation/util/regular_file.h>
 
 namespace cable_variation {
 namespace {
@@ -245,11 +245,13 @@ ForbiddenRegion parseRegion(const std::string& text, const std::string& source) 
 }
 
 ForbiddenRegion readRegion(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw FileError(path + ": cannot be read: " + std::generic_category().message(errno));
-  std::ostringstream text;
-  text << file.rdbuf();
-  return parseRegion(text.str(), path);
+  std::string text;
+  try {
+    text = readWhole(path, InputLimits().region_bytes);
+  } catch (const std::invalid_argument& error) {
+    throw FileError(path + ": " + error.what());
+  }
+  return parseRegion(text, path);
 }
 
 }  // namespace cable_variation

@@ -2,51 +2,46 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <locale>
-#include <sstream>
 #include <stdexcept>
 
 #include <cable_variation/scene/motion_samples.h>
 #include <cable_variation/scene/resource_address.h>
+#include <cable_variation/scene/tum_file.h>
+#include <cable_variation/util/data_lines.h>
 #include <cable_variation/util/readable_text.h>
-#include <cable_variation/util/regular_file.h>
+#include <cable_variation/util/text_tokens.h>
 
 namespace cable_variation {
 namespace {
 
-constexpr std::uintmax_t kMostBytes = 1'000'000'000;
-
 TimedPose readLine(const std::string& line) {
   constexpr double kNormTolerance = 1e-3;
-  std::istringstream words(line);
-  words.imbue(std::locale::classic());
+  TextTokens words(line);
   double value[8];
   for (double& number : value) {
-    std::string word;
-    if (!(words >> word))
-      throw std::invalid_argument("a number is missing; expected time tx ty tz qx qy qz qw");
-    std::istringstream stream(word);
-    stream.imbue(std::locale::classic());
-    if (!(stream >> number) || !stream.eof() || !std::isfinite(number)) {
-      if (word.find(',') != std::string::npos) {
+    const auto word = words.nextInLine();
+    if (!word) throw std::invalid_argument("a number is missing; expected time tx ty tz qx qy qz qw");
+    const auto read = numberIn(*word);
+    if (!read) {
+      const std::string found = readableText(std::string(*word));
+      if (found.find(',') != std::string::npos) {
         throw std::invalid_argument(
-            "found '" + readableText(word) +
-            "'; expected numbers parted by blanks, with a decimal point and no comma");
+            "found '" + found + "'; expected numbers parted by blanks, with a decimal point and no comma");
       }
-      throw std::invalid_argument("found '" + readableText(word) + "'; expected a finite number");
+      throw std::invalid_argument("found '" + found + "'; expected a finite number");
     }
+    number = *read;
   }
-  std::string rest;
-  if (words >> rest)
-    throw std::invalid_argument("found '" + readableText(rest) +
+  if (const auto rest = words.nextInLine()) {
+    throw std::invalid_argument("found '" + readableText(std::string(*rest)) +
                                 "' after the eighth number; expected no more");
+  }
 
   TimedPose sample;
   sample.time = value[0];
   sample.pose.position = {value[1], value[2], value[3]};
   const Eigen::Quaterniond q(value[7], value[4], value[5], value[6]);
-  if (std::abs(q.norm() - 1.0) > kNormTolerance) {
+  if (!(std::abs(q.norm() - 1.0) <= kNormTolerance)) {
     throw std::invalid_argument("quaternion has norm " + std::to_string(q.norm()) + "; expected 1");
   }
   sample.pose.orientation = q.normalized();
@@ -72,27 +67,17 @@ Pose poseAt(const Motion& motion, double time) {
 
 bool isBag(const std::string& file) { return extensionOf(file) == ".bag"; }
 
-void readTum(const std::string& path, Motion& motion) {
-  const std::string mark = "\xef\xbb\xbf";  // of UTF-8
-  const std::string obstacle = obstacleTo(path, kMostBytes);
-  if (!obstacle.empty()) throw std::invalid_argument(path + ": " + obstacle);
-  std::ifstream file(path);
+void readTum(const std::string& path, Motion& motion) { readTum(path, motion, InputLimits()); }
+
+void readTum(const std::string& path, Motion& motion, const InputLimits& limits) {
   MotionSamples samples;
-  std::string line;
-  for (int number = 1; std::getline(file, line); ++number) {
-    if (number == 1 && line.compare(0, mark.size(), mark) == 0) line.erase(0, mark.size());
-    if (number == 1 && (line.compare(0, 2, "\xff\xfe") == 0 || line.compare(0, 2, "\xfe\xff") == 0))
-      throw std::invalid_argument(path + ":1: the file is in UTF-16; expected UTF-8");
-    line.erase(std::min(line.find('#'), line.size()));
-    if (line.find_first_not_of(" \t\r") == std::string::npos) continue;
-    try {
-      const TimedPose sample = readLine(line);
-      samples.add(sample.time, sample.pose);
-    } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument(path + ":" + std::to_string(number) + ": " + error.what());
+  readDataLines(path, limits.motion_bytes, [&](const std::string& line) {
+    const TimedPose sample = readLine(line);
+    samples.add(sample.time, sample.pose);
+    if (samples.size() > limits.poses) {
+      throw std::invalid_argument("the file has more poses; " + atMost(limits.poses, "poses"));
     }
-  }
-  if (file.bad()) throw std::invalid_argument(path + ": cannot be read");
+  });
   try {
     samples.finish(motion);
   } catch (const std::invalid_argument& error) {

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <iterator>
 #include <optional>
 #include <stdexcept>
+
+#include <cable_variation/util/name_list.h>
 
 namespace cable_variation {
 namespace {
@@ -103,7 +106,7 @@ std::string urlOf(const Place& place, const std::string& path) {
 }  // namespace
 
 ResourceFile findResource(const std::string& address, const PackageFinder& find_package,
-                          std::uintmax_t most_bytes) {
+                          std::uintmax_t most_bytes, const std::vector<std::string>& folders) {
   const Place place = placeOf(address, find_package);
   const auto pathOf = [&](const std::string& below) { return normal(place.folder + below); };
   const auto isThere = [](const std::string& path) {
@@ -113,6 +116,7 @@ ResourceFile findResource(const std::string& address, const PackageFinder& find_
   const auto decoded = unescaped(place.below);
   const bool as_url = decoded && isThere(pathOf(*decoded));
   const std::string path = pathOf(as_url ? *decoded : place.below);
+  requireWithin(path, folders);
   const std::string obstacle = obstacleTo(path, most_bytes);
   if (!obstacle.empty()) {
     throw std::invalid_argument("'" + address + "' " + obstacle +
@@ -122,8 +126,27 @@ ResourceFile findResource(const std::string& address, const PackageFinder& find_
 }
 
 std::string localPath(const std::string& address, const PackageFinder& find_package,
-                      std::uintmax_t most_bytes) {
-  return findResource(address, find_package, most_bytes).path;
+                      std::uintmax_t most_bytes, const std::vector<std::string>& folders) {
+  return findResource(address, find_package, most_bytes, folders).path;
+}
+
+void requireWithin(const std::string& path, const std::vector<std::string>& folders) {
+  namespace fs = std::filesystem;
+  if (folders.empty()) return;
+  const auto real = [](const std::string& of) {
+    std::error_code error;
+    const fs::path found = fs::weakly_canonical(fs::absolute(of, error), error);
+    return error ? fs::path() : found;
+  };
+  const fs::path file = real(path);
+  for (const std::string& folder : folders) {
+    const fs::path root = real(folder);
+    if (root.empty() || file.empty()) continue;
+    const auto ends = std::mismatch(root.begin(), root.end(), file.begin(), file.end());
+    if (ends.first == root.end() || (ends.first->empty() && std::next(ends.first) == root.end())) return;
+  }
+  throw std::invalid_argument("'" + path +
+                              "' is not within the folders that files may be read from: " + joined(folders));
 }
 
 std::string fileUrl(const std::string& path) { return kFileScheme + escaped(path); }

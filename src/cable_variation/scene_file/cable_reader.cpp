@@ -31,6 +31,7 @@ class ArcLengths {
 
 void readSections(const YamlCursor& list, Cable& cable, std::vector<bool>& geometric, ReadContext& context) {
   ArcLengths arc_lengths(cable.length);
+  if (!list.isAtMost(context.limits.sections, "sections")) return;
   const std::vector<YamlCursor> items = list.items();
   if (list.isList() && items.empty()) list.fail("the list is empty; expected a section at least");
   for (const YamlCursor& item : items) {
@@ -41,7 +42,7 @@ void readSections(const YamlCursor& list, Cable& cable, std::vector<bool>& geome
   }
 }
 
-void readRestShape(const YamlCursor& shape, Cable& cable) {
+void readRestShape(const YamlCursor& shape, Cable& cable, const InputLimits& limits) {
   if (!shape.checkKeys({"points", "curvature"})) return;
   const auto points = shape.find("points");
   const auto curvature = shape.find("curvature");
@@ -50,6 +51,7 @@ void readRestShape(const YamlCursor& shape, Cable& cable) {
     return;
   }
   const std::size_t before = shape.faults().count();
+  if (!(points ? *points : *curvature).isAtMost(limits.rest_points, "rest_points")) return;
   if (curvature) {
     ArcLengths arc_lengths(cable.length);
     for (const YamlCursor& item : curvature->items()) {
@@ -67,6 +69,14 @@ void readRestShape(const YamlCursor& shape, Cable& cable) {
   } catch (const std::invalid_argument& error) {
     points->fail(error.what());
   }
+}
+
+double readTwist(const YamlCursor& cursor, std::size_t most_turns) {
+  const double twist = cursor.number(quantity::angle);
+  if (std::abs(twist) > 2.0 * M_PI * static_cast<double>(most_turns)) {
+    cursor.fail("found " + shortNumber(twist / (2.0 * M_PI)) + " turns; " + atMost(most_turns, "turns"));
+  }
+  return twist;
 }
 
 void readCable(const YamlCursor& item, Cable& cable, ReadContext& context) {
@@ -90,11 +100,12 @@ void readCable(const YamlCursor& item, Cable& cable, ReadContext& context) {
   if (uniform && !geometric.empty())
     context.geometric_sections[context.scene.harness.cables.size()] = geometric.front();
 
-  if (const auto shape = item.find("rest_shape")) readRestShape(*shape, cable);
-  if (const auto via = item.find("via")) {
+  if (const auto shape = item.find("rest_shape")) readRestShape(*shape, cable, context.limits);
+  const auto via = item.find("via");
+  if (via && via->isAtMost(context.limits.via_points, "via_points")) {
     for (const YamlCursor& point : via->items()) cable.via.push_back(point.vector(quantity::length));
   }
-  if (const auto twist = item.find("twist")) cable.twist = twist->number(quantity::angle);
+  if (const auto twist = item.find("twist")) cable.twist = readTwist(*twist, context.limits.turns);
   if (context.faults.count() > before || cable.sections.size() < geometric.size()) return;
   try {
     validate(cable);

@@ -14,15 +14,14 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr std::uintmax_t kMostMeshBytes = 2'000'000'000;
-
 LoadedMesh loadMesh(const std::string& address, const Vector3d& scale, ReadContext& context) {
   if (!scale.allFinite() || (scale.array() == 0.0).any()) {
     throw std::invalid_argument("mesh '" + address + "' has a scale with a factor of 0");
   }
-  const ResourceFile file = findResource(address, context.find_package, kMostMeshBytes);
+  const InputLimits& limits = context.limits;
+  const ResourceFile file = findResource(address, context.find_package, limits.mesh_bytes, limits.folders);
   std::shared_ptr<const TriangleMesh>& mesh = context.meshes[file.path];
-  if (!mesh) mesh = std::make_shared<TriangleMesh>(readMesh(file.path));
+  if (!mesh) mesh = std::make_shared<TriangleMesh>(readMesh(file.path, Vector3d::Ones(), limits));
   return {scale == Vector3d::Ones() ? mesh : std::make_shared<TriangleMesh>(scaled(*mesh, scale)), file.url};
 }
 
@@ -124,11 +123,12 @@ void readUrdfVisuals(const YamlCursor& item, const YamlCursor& urdf, Component& 
     const MeshLoader load = [&](const std::string& mesh, const Vector3d& scale) {
       return loadMesh(mesh, scale, context);
     };
-    const std::string path = localPath(address, context.find_package);
+    const InputLimits& limits = context.limits;
+    const std::string path = localPath(address, context.find_package, limits.urdf_bytes, limits.folders);
     if (component.driven_by == ComponentDriver::joint_states) {
-      addLinks(readUrdfLinks(path, positions, load, faults, warnings), component, links);
+      addLinks(readUrdfLinks(path, positions, load, faults, warnings, limits), component, links);
     } else {
-      component.visuals = readUrdf(path, positions, load, faults, warnings);
+      component.visuals = readUrdf(path, positions, load, faults, warnings, limits);
     }
     for (const std::string& fault : faults) urdf.fail("'" + address + "': " + fault);
     for (const std::string& warning : warnings) urdf.warn("'" + address + "': " + warning);
@@ -189,6 +189,7 @@ void checkParents(const std::vector<std::pair<YamlCursor, std::size_t>>& items, 
   const std::vector<Component>& components = context.scene.components;
   std::map<std::string, const Component*> by_name;
   for (const Component& component : components) by_name.emplace(component.name, &component);
+  std::set<std::string> ends;  // whose way is known to end
   for (const auto& [item, index] : items) {
     const Component& component = components[index];
     const auto parent = item.find("parent");
@@ -196,13 +197,17 @@ void checkParents(const std::vector<std::pair<YamlCursor, std::size_t>>& items, 
     if (context.components.find(*parent) == NameTable::npos) continue;
     std::set<std::string> passed{component.name};
     std::string chain = component.name;
-    for (std::string at = component.parent; by_name.count(at) > 0; at = by_name.at(at)->parent) {
+    bool circle = false;
+    for (std::string at = component.parent; by_name.count(at) > 0 && ends.count(at) == 0;
+         at = by_name.at(at)->parent) {
       chain += " -> " + at;
       if (at == component.name) {
         parent->fail("components ride on each other: " + chain);
       }
-      if (!passed.insert(at).second) break;
+      circle = !passed.insert(at).second;
+      if (circle) break;
     }
+    if (!circle) ends.insert(passed.begin(), passed.end());
   }
 }
 

@@ -2,17 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <numeric>
 #include <set>
 #include <stdexcept>
 
 #include <cable_variation/scene/resource_address.h>
+#include <cable_variation/util/data_lines.h>
 
 namespace cable_variation {
 namespace {
 
-constexpr std::uintmax_t kMostBytes = 1'000'000'000;  // of a file of samples
 constexpr double kUsualSigma = 3.0;
 constexpr Range kShare{0.0, 1.0, false};
 constexpr Range kWeibullShape{0.5, 50.0, false};     // beyond, the mean or the width lose their meaning
@@ -84,29 +83,21 @@ void readEmpirical(const Reading& r) {
   const std::string text = address->text();
   if (text.empty()) return;
   try {
-    const std::string path = localPath(text, r.context.find_package, kMostBytes);
-    const std::string mark = "\xef\xbb\xbf";  // of UTF-8
-    std::ifstream file(path);
-    std::string line;
-    for (int number = 1; std::getline(file, line); ++number) {
-      if (number == 1 && line.compare(0, mark.size(), mark) == 0) line.erase(0, mark.size());
-      line.erase(std::min(line.find('#'), line.size()));
+    const InputLimits& limits = r.context.limits;
+    const std::string path = localPath(text, r.context.find_package, limits.samples_bytes, limits.folders);
+    std::vector<double>& samples = r.variable.distribution_values;
+    readDataLines(path, limits.samples_bytes, [&](const std::string& line) {
       const std::size_t first = line.find_first_not_of(" \t\r");
-      if (first == std::string::npos) continue;
       const std::string value = line.substr(first, line.find_last_not_of(" \t\r") + 1 - first);
-      try {
-        r.variable.distribution_values.push_back(
-            parseQuantity(unit.empty() ? value : value + " " + unit, r.quantity));
-      } catch (const std::invalid_argument& error) {
-        throw std::invalid_argument(path + ":" + std::to_string(number) + ": " + error.what());
+      samples.push_back(parseQuantity(unit.empty() ? value : value + " " + unit, r.quantity));
+      if (samples.size() > limits.samples) {
+        throw std::invalid_argument("the file has more samples; " + atMost(limits.samples, "samples"));
       }
-    }
-    if (r.variable.distribution_values.size() < 2) {
-      throw std::invalid_argument("'" + text + "' holds " +
-                                  std::to_string(r.variable.distribution_values.size()) +
+    });
+    if (samples.size() < 2) {
+      throw std::invalid_argument("'" + text + "' holds " + std::to_string(samples.size()) +
                                   " samples; expected 2 or more");
     }
-    const auto& samples = r.variable.distribution_values;
     if (std::all_of(samples.begin(), samples.end(), [&](double v) { return v == samples.front(); })) {
       throw std::invalid_argument("'" + text + "' holds the same sample over and over; expected others too");
     }

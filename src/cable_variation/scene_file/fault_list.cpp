@@ -23,10 +23,15 @@ std::vector<SceneFault> byLine(std::vector<SceneFault> faults) {
 
 void FaultList::add(int line, const std::string& message) {
   faults_.push_back({file_, line, readableText(message)});
+  if (faults_.size() < most_) return;
+  faults_.push_back({file_, line,
+                     "no more than these " + std::to_string(most_) +
+                         " faults are told (the limit faults); the rest of the file was not read"});
+  throw Full();
 }
 
 void FaultList::warn(int line, const std::string& message) {
-  warnings_.push_back({file_, line, readableText(message)});
+  if (warnings_.size() < most_) warnings_.push_back({file_, line, readableText(message)});
 }
 
 std::vector<SceneFault> FaultList::sorted() const { return byLine(faults_); }

@@ -2,6 +2,7 @@
 
 #include <cable_variation/scene/motion_samples.h>
 #include <cable_variation/scene/resource_address.h>
+#include <cable_variation/scene/tum_file.h>
 #include <cable_variation/scene_file/read_context.h>
 
 namespace cable_variation {
@@ -31,8 +32,9 @@ void readMotion(const YamlCursor& item, Motion& motion, const ReadContext& conte
     motion.frame = item.has("frame") ? item.text("frame") : motion.component;
   }
   try {
-    motion.path = localPath(motion.file, context.find_package);
-    if (!is_bag) readTum(motion.path, motion);
+    const InputLimits& limits = context.limits;
+    motion.path = localPath(motion.file, context.find_package, kAnySize, limits.folders);
+    if (!is_bag) readTum(motion.path, motion, limits);
     const std::string note = noteOnReplaced(motion);
     if (!note.empty()) file->warn(note);
   } catch (const std::invalid_argument& error) {

@@ -27,30 +27,37 @@ YamlCursor NameTable::add(const YamlCursor& item) {
     item.fail("'name' is missing");
   } else if (!isName(name)) {
     value->fail("found '" + name + "'; expected letters, digits, '_', '-' and '.'");
-  } else if (const auto it = std::find(names_.begin(), names_.end(), name); it != names_.end()) {
+  } else if (name.size() > longest_) {
+    value->fail("the name has " + std::to_string(name.size()) + " bytes; " + atMost(longest_, "name_bytes"));
+    name.clear();
+  } else if (const auto known = indices_.find(name); known != indices_.end()) {
     value->fail("there is a " + kind_ + " '" + name + "' already, in line " +
-                std::to_string(lines_[static_cast<std::size_t>(it - names_.begin())]));
+                std::to_string(lines_[known->second]));
   }
-  names_.push_back(name);
-  lines_.push_back(item.line());
+  append(name, item.line());
   return name.empty() ? item : item.labelled(kind_ + " '" + name + "'");
 }
 
-void NameTable::declare(const YamlCursor& item, const std::string& name) {
-  const auto it = std::find(names_.begin(), names_.end(), name);
-  if (it != names_.end()) {
-    item.fail("there is a " + kind_ + " '" + name + "' already, in line " +
-              std::to_string(lines_[static_cast<std::size_t>(it - names_.begin())]));
-  }
+void NameTable::append(const std::string& name, int line) {
+  indices_.emplace(name, names_.size());
   names_.push_back(name);
-  lines_.push_back(item.line());
+  lines_.push_back(line);
+}
+
+void NameTable::declare(const YamlCursor& item, const std::string& name) {
+  const auto known = indices_.find(name);
+  if (known != indices_.end()) {
+    item.fail("there is a " + kind_ + " '" + name + "' already, in line " +
+              std::to_string(lines_[known->second]));
+  }
+  append(name, item.line());
 }
 
 std::size_t NameTable::find(const YamlCursor& cursor) const {
   const std::string name = cursor.text();
   if (name.empty()) return npos;
-  const auto it = std::find(names_.begin(), names_.end(), name);
-  if (it != names_.end()) return static_cast<std::size_t>(it - names_.begin());
+  const auto known = indices_.find(name);
+  if (known != indices_.end()) return known->second;
   cursor.fail("there is no " + kind_ + " '" + name + "'" + didYouMean(name, names_));
   return npos;
 }

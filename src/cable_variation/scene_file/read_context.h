@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include <cable_variation/scene/scene.h>
@@ -15,10 +16,11 @@ namespace cable_variation {
 class NameTable {
  public:
   explicit NameTable(std::string kind) : kind_(std::move(kind)) {}
+  void setLongest(std::size_t bytes) { longest_ = bytes; }  ///< name
 
   /// Reads the `name` of an item, to be followed by exactly one entry in the
-  /// scene's list. Absence, repetition and characters that a frame or topic
-  /// could not hold are faults. Returns the item's cursor, labelled by it.
+  /// scene's list. Absence, repetition, characters that a frame or topic
+  /// could not hold and names that are too long are faults. Returns the item's cursor, labelled by it.
   YamlCursor add(const YamlCursor& item);
 
   /// A name that follows from others, likewise to be followed by one entry; a fault at `item` if it is taken.
@@ -37,18 +39,28 @@ class NameTable {
   static constexpr std::size_t npos = static_cast<std::size_t>(-1);
 
  private:
+  void append(const std::string& name, int line);
+
   std::string kind_;
+  std::size_t longest_ = InputLimits().name_bytes;
   std::vector<std::string> names_;
   std::vector<int> lines_;
+  std::unordered_map<std::string, std::size_t> indices_;  // of each name's first place
 };
 
 /// What the readers of a scene file's parts share.
 struct ReadContext {
-  ReadContext(const std::string& file, PackageFinder finder) : faults(file), find_package(std::move(finder)) {
+  ReadContext(const std::string& file, PackageFinder finder, InputLimits bounds)
+      : limits(std::move(bounds)), faults(file, limits.faults), find_package(std::move(finder)) {
     scene.source = file;
+    for (NameTable* table : {&components, &cables, &clips, &joints, &loads, &design_variables, &measures,
+                             &tolerance_regions, &motions}) {
+      table->setLongest(limits.name_bytes);
+    }
   }
 
   Scene scene;
+  InputLimits limits;
   FaultList faults;
   PackageFinder find_package;
 

@@ -11,7 +11,6 @@ namespace cable_variation {
 namespace {
 
 constexpr Range kAccuracy{1e-6, 1e-2, false};  // [m]
-constexpr std::uintmax_t kMostBytes = 16'000'000;
 
 // The line of the thing that a harness's fault begins with: "clip 'NAME' ...".
 int lineOf(const std::string& message, const ReadContext& context) {
@@ -37,20 +36,24 @@ void readParts(const YamlCursor& root, ReadContext& context) {
   context.scene.harness.gravity =
       root.vector("gravity", quantity::acceleration, context.scene.harness.gravity);
   context.scene.accuracy = root.number("accuracy", quantity::length, kAccuracy, context.scene.accuracy);
-  const auto part = [&](const char* key, void (*read)(const YamlCursor&, ReadContext&)) {
-    if (const auto value = root.find(key)) read(*value, context);
+  const InputLimits& limits = context.limits;
+  const auto part = [&](const char* key, std::size_t most, void (*read)(const YamlCursor&, ReadContext&)) {
+    const auto value = root.find(key);
+    if (!value) return;
+    if (!value->isAtMost(most, key)) throw FaultList::Full();  // what refers to it would be wrong too
+    read(*value, context);
   };
-  part("components", readComponents);
-  part("materials", readMaterials);
-  part("cables", readCables);
-  part("clips", readClips);
-  part("joints", readJoints);
-  part("loads", readLoads);
-  part("design_variables", readDesignVariables);
-  part("correlations", readCorrelations);
-  part("measures", readMeasures);
-  part("motions", readMotions);
-  part("attachments", readAttachments);
+  part("components", limits.components, readComponents);
+  part("materials", limits.materials, readMaterials);
+  part("cables", limits.cables, readCables);
+  part("clips", limits.clips, readClips);
+  part("joints", limits.joints, readJoints);
+  part("loads", limits.loads, readLoads);
+  part("design_variables", limits.design_variables, readDesignVariables);
+  part("correlations", limits.correlations, readCorrelations);
+  part("measures", limits.measures, readMeasures);
+  part("motions", limits.motions, readMotions);
+  part("attachments", limits.attachments, readAttachments);
   if (!root.has("components") && !root.has("cables"))
     root.fail("the scene has neither components nor cables");
 }
@@ -79,30 +82,38 @@ void checkHarness(ReadContext& context) {
 
 }  // namespace
 
-std::string readSceneFile(const std::string& path) { return readWhole(path, kMostBytes); }
+std::string readSceneFile(const std::string& path, const InputLimits& limits) {
+  return readWhole(path, limits.scene_bytes);
+}
 
-Scene readScene(const std::string& path, const PackageFinder& find_package) {
+Scene readScene(const std::string& path, const PackageFinder& find_package, const InputLimits& limits) {
   std::string text;
   try {
-    text = readSceneFile(path);
+    text = readSceneFile(path, limits);
   } catch (const std::invalid_argument& error) {
     FaultList faults(path);
     faults.add(0, std::string("the file ") + error.what());
     throw SceneError(faults.sorted());
   }
-  return readSceneText(text, path, find_package);
+  return readSceneText(text, path, find_package, limits);
 }
 
-Scene readSceneText(const std::string& text, const std::string& source, const PackageFinder& find_package) {
-  ReadContext context(source, find_package);
-  const YAML::Node root = readYamlDocument(text, context.faults);
-  if (root.IsMap()) {
-    readParts(YamlCursor(root, root.Mark().line + 1, "", context.faults), context);
-  } else if (context.faults.count() == 0) {
-    context.faults.add(root.IsNull() ? 0 : 1,
-                       "the file is no scene; expected a map with components, cables, clips");
+Scene readSceneText(const std::string& text, const std::string& source, const PackageFinder& find_package,
+                    const InputLimits& limits) {
+  ReadContext context(source, find_package, limits);
+  YAML::Node root;
+  try {
+    root = readYamlDocument(text, context.faults);
+    if (root.IsMap()) {
+      readParts(YamlCursor(root, root.Mark().line + 1, "", context.faults), context);
+    } else if (context.faults.count() == 0) {
+      context.faults.add(root.IsNull() ? 0 : 1,
+                         "the file is no scene; expected a map with components, cables, clips");
+    }
+    if (context.faults.count() == 0) checkHarness(context);
+  } catch (const FaultList::Full&) {
+    throw SceneError(context.faults.sorted());
   }
-  if (context.faults.count() == 0) checkHarness(context);
   if (context.faults.count() > 0) throw SceneError(context.faults.sorted());
   warnOfSlips(YamlCursor(root, root.Mark().line + 1, "", context.faults), context.scene);
   context.scene.warnings = context.faults.sortedWarnings();

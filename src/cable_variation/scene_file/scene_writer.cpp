@@ -60,12 +60,22 @@ void writePlace(const YAML::Node& entry, const char* key, double loaded, double 
   }
 }
 
+void writeAttached(const YAML::Node& entry, bool loaded, bool wanted, YamlText& text) {
+  if (wanted == loaded) return;
+  const std::string by = wanted ? "true" : "false";
+  if (const auto at = text.valueOf(entry, "attached")) {
+    text.replace(*at, by);
+  } else {
+    text.addEntry(entry, "type", "attached", by);
+  }
+}
+
 std::string textOf(const Clip& clip, const ClipMount& mount, const Harness& harness) {
   return "{name: " + clip.name + ", type: " + clip.type + ", cable: " + harness.cables[clip.cable].name +
          ", at: " +
          (clip.arc_length >= harness.cables[clip.cable].length ? "end" : lengthText(clip.arc_length)) +
          (mount.component == "world" ? "" : ", component: " + mount.component) +
-         ", pose: " + poseText(mount.pose) + "}";
+         ", pose: " + poseText(mount.pose) + (clip.attached ? "" : ", attached: false") + "}";
 }
 
 void writeClips(const YAML::Node& root, const Scene& loaded, const Scene& wanted, YamlText& text) {
@@ -76,6 +86,7 @@ void writeClips(const YAML::Node& root, const Scene& loaded, const Scene& wanted
     writePlace(entry, "at", loaded.harness.clips[i].arc_length, clip.arc_length,
                wanted.harness.cables[clip.cable], "name", text);
     writePose(entry, loaded.clip_mounts[i].pose, wanted.clip_mounts[i].pose, text);
+    writeAttached(entry, loaded.harness.clips[i].attached, clip.attached, text);
   }
   for (std::size_t i = known; i < wanted.harness.clips.size(); ++i)
     text.addItem(root, "clips", textOf(wanted.harness.clips[i], wanted.clip_mounts[i], wanted.harness));
@@ -188,6 +199,7 @@ void requireSame(const Scene& saved, const Scene& wanted) {
     const Clip& clip = wanted.harness.clips[i];
     const std::string who = "clip '" + clip.name + "'";
     compare.length(who + ": arc length", saved.harness.clips[i].arc_length, clip.arc_length);
+    compare.number(who + ": attached", saved.harness.clips[i].attached, clip.attached, 0.0);
     if (isMounted(clip)) compare.pose(who, saved.clip_mounts[i].pose, wanted.clip_mounts[i].pose);
   }
   for (std::size_t i = 0; i < wanted.design_variables.size(); ++i) {

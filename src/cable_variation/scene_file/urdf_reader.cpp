@@ -16,11 +16,10 @@
 #include <cable_variation/util/name_list.h>
 #include <cable_variation/util/quantity.h>
 #include <cable_variation/util/regular_file.h>
+#include <cable_variation/util/xml_size.h>
 
 namespace cable_variation {
 namespace {
-
-constexpr std::uintmax_t kMostBytes = 64'000'000;
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
   for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
@@ -57,10 +56,11 @@ class ParserMessages : public console_bridge::OutputHandler {
 class UrdfModel {
  public:
   /// Null after a fault.
-  UrdfModel(const std::string& path, std::vector<std::string>& faults) {
+  UrdfModel(const std::string& path, const InputLimits& limits, std::vector<std::string>& faults) {
     std::string text;
     try {
-      const std::string original = readWhole(path, kMostBytes);
+      const std::string original = readWhole(path, limits.urdf_bytes);
+      requireXmlSize(original, limits.xml_parts);
       mark_ = unusedCharacter(original);
       text = checkedUrdf(original, mark_, faults);
     } catch (const std::invalid_argument& error) {
@@ -309,8 +309,8 @@ class UrdfReader {
 std::vector<UrdfLink> readUrdfLinks(const std::string& path,
                                     const std::map<std::string, JointPosition>& joint_positions,
                                     const MeshLoader& load_mesh, std::vector<std::string>& faults,
-                                    std::vector<std::string>& warnings) {
-  const UrdfModel model(path, faults);
+                                    std::vector<std::string>& warnings, const InputLimits& limits) {
+  const UrdfModel model(path, limits, faults);
   if (!model.get()) return {};
   std::vector<UrdfLink> links = UrdfReader(model, joint_positions, load_mesh).read(faults, warnings);
   const bool seen =
@@ -322,9 +322,9 @@ std::vector<UrdfLink> readUrdfLinks(const std::string& path,
 std::vector<Visual> readUrdf(const std::string& path,
                              const std::map<std::string, JointPosition>& joint_positions,
                              const MeshLoader& load_mesh, std::vector<std::string>& faults,
-                             std::vector<std::string>& warnings) {
+                             std::vector<std::string>& warnings, const InputLimits& limits) {
   std::vector<Visual> visuals;
-  for (UrdfLink& link : readUrdfLinks(path, joint_positions, load_mesh, faults, warnings)) {
+  for (UrdfLink& link : readUrdfLinks(path, joint_positions, load_mesh, faults, warnings, limits)) {
     for (Visual& visual : link.visuals) {
       visual.pose = link.pose * visual.pose;
       visuals.push_back(std::move(visual));

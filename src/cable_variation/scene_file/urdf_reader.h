@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <cable_variation/scene/scene.h>
+#include <cable_variation/util/input_limits.h>
 
 namespace cable_variation {
 
@@ -43,13 +44,13 @@ struct UrdfLink {
 std::vector<UrdfLink> readUrdfLinks(const std::string& path,
                                     const std::map<std::string, JointPosition>& joint_positions,
                                     const MeshLoader& load_mesh, std::vector<std::string>& faults,
-                                    std::vector<std::string>& warnings);
+                                    std::vector<std::string>& warnings, const InputLimits& limits = {});
 
 /// The visuals of every link of a URDF file (of a link without any: its
 /// collision geometry), in the frame of the root link. Arguments as readUrdfLinks() has them.
 std::vector<Visual> readUrdf(const std::string& path,
                              const std::map<std::string, JointPosition>& joint_positions,
                              const MeshLoader& load_mesh, std::vector<std::string>& faults,
-                             std::vector<std::string>& warnings);
+                             std::vector<std::string>& warnings, const InputLimits& limits = {});
 
 }  // namespace cable_variation

@@ -187,9 +187,18 @@ std::string checkedUrdf(const std::string& text, const std::string& mark, std::v
     faults.emplace_back("it is no URDF; expected an element <robot>");
     return "";
   }
-  const std::size_t before = faults.size();
-  TreeCheck(*robot, faults).run();
-  if (faults.size() > before) return "";
+  std::vector<std::string> found;
+  TreeCheck(*robot, found).run();
+  if (!found.empty()) {
+    constexpr std::size_t kMost = 100;  // that anybody reads
+    faults.insert(faults.end(), found.begin(),
+                  found.begin() + static_cast<std::ptrdiff_t>(std::min(found.size(), kMost)));
+    if (found.size() > kMost) {
+      faults.push_back("and " + std::to_string(found.size() - kMost) +
+                       " more faults of its links and joints");
+    }
+    return "";
+  }
   Replacing printer(mark);
   document.Accept(&printer);
   return printer.CStr();

@@ -107,6 +107,12 @@ std::optional<YamlCursor> YamlCursor::require(const std::string& key) const {
   return value;
 }
 
+bool YamlCursor::isAtMost(std::size_t most, const char* limit) const {
+  const std::size_t size = node_.IsSequence() || node_.IsMap() ? node_.size() : 0;
+  if (size > most) fail("found " + std::to_string(size) + " entries; " + atMost(most, limit));
+  return size <= most;
+}
+
 std::vector<YamlCursor> YamlCursor::items(std::optional<std::size_t> count) const {
   std::vector<YamlCursor> result;
   if (!node_.IsSequence()) {

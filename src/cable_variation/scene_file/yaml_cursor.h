@@ -45,6 +45,9 @@ class YamlCursor {
   /// The items of a list; a fault unless it is one, of `count` items if given.
   std::vector<YamlCursor> items(std::optional<std::size_t> count = {}) const;
 
+  /// Whether a list or map has no more entries than a limit of that name; else a fault.
+  bool isAtMost(std::size_t most, const char* limit) const;
+
   /// What is there, for a message: "found '5 deg'", "found a list".
   std::string found() const;
   /// Whether this is a number without a unit.

@@ -78,6 +78,7 @@ int spawn(pid_t& child, const std::string& program, const std::vector<std::strin
   std::vector<std::string> words{program};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
+  pointers.reserve(words.size() + 1);
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
   const int error = ::posix_spawn(&child, program.c_str(), &files, &attributes, pointers.data(), environ);

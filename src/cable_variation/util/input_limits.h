@@ -29,6 +29,7 @@ struct InputLimits {
 
   // of a scene
   std::size_t components = 5'000;
+  std::size_t materials = 5'000;
   std::size_t cables = 5'000;
   std::size_t clips = 5'000;
   std::size_t joints = 5'000;
@@ -37,6 +38,7 @@ struct InputLimits {
   std::size_t correlations = 10'000;
   std::size_t measures = 5'000;
   std::size_t motions = 1'000;
+  std::size_t attachments = 10'000;
   std::size_t sections = 200;       ///< of one cable
   std::size_t rest_points = 1'000;  ///< of one rest shape, points or curvatures
   std::size_t via_points = 1'000;   ///< of one cable

@@ -35,11 +35,15 @@ std::array<std::size_t, 3> unlikeness(const std::string& a, const std::string& b
 
 std::string didYouMean(const std::string& name, const std::vector<std::string>& candidates) {
   constexpr std::size_t kLongest = 64;  // of a name worth comparing
+  constexpr std::size_t kMany = 2000;   // that it is not worth the time to look through
   constexpr std::size_t kFew = 12;      // that a message may list
   const std::string* best = nullptr;
   std::array<std::size_t, 3> least{std::max<std::size_t>(1, std::min<std::size_t>(3, name.size() / 3)) + 1, 0,
                                    0};
+  if (candidates.size() > kMany) return "";
   for (const std::string& candidate : candidates) {
+    if (std::max(name.size(), candidate.size()) - std::min(name.size(), candidate.size()) > least[0])
+      continue;
     if (name.size() > kLongest || candidate.size() > kLongest) continue;
     const auto difference = unlikeness(name, candidate);
     if (difference < least && difference[0] < candidate.size()) {

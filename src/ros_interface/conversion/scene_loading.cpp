@@ -22,8 +22,6 @@ using cable_variation::SceneFault;
 
 namespace {
 
-constexpr std::uintmax_t kMostBytes = 16'000'000;  // of a scene file
-
 std::string parentOf(const Scene& scene, const std::string& name) {
   for (const Component& component : scene.components) {
     if (component.name == name) return component.parent;
@@ -35,13 +33,19 @@ std::string parentOf(const Scene& scene, const std::string& name) {
 
 std::string findPackage(const std::string& package) { return ros::package::getPath(package); }
 
-std::string resolveAddress(const std::string& address, std::uintmax_t most_bytes) {
+std::string resolveAddress(const std::string& address, std::uintmax_t most_bytes,
+                           const std::vector<std::string>& folders) {
   if (address.find("://") != std::string::npos) {
     try {
-      return cable_variation::localPath(address, findPackage, most_bytes);
+      return cable_variation::localPath(address, findPackage, most_bytes, folders);
     } catch (const std::invalid_argument& error) {
       throw cable_variation::NotFound(error.what());
     }
+  }
+  try {
+    cable_variation::requireWithin(address, folders);
+  } catch (const std::invalid_argument& error) {
+    throw cable_variation::NotFound(error.what());
   }
   const std::string obstacle = cable_variation::obstacleTo(address, most_bytes);
   if (!obstacle.empty()) {
@@ -52,14 +56,14 @@ std::string resolveAddress(const std::string& address, std::uintmax_t most_bytes
   return address;
 }
 
-Scene loadScene(const std::string& address) {
+Scene loadScene(const std::string& address, const cable_variation::InputLimits& limits) {
   std::string path;
   try {
-    path = resolveAddress(address, kMostBytes);
+    path = resolveAddress(address, limits.scene_bytes, limits.folders);
   } catch (const cable_variation::NotFound& error) {
     throw cable_variation::NotFound("scene '" + address + "': " + error.what());
   }
-  Scene scene = cable_variation::readScene(path, findPackage);
+  Scene scene = cable_variation::readScene(path, findPackage, limits);
   std::vector<SceneFault> faults;
   for (Motion& motion : scene.motions) {
     if (!cable_variation::isBag(motion.file)) continue;

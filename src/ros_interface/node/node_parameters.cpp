@@ -6,6 +6,8 @@
 
 #include <ros/node_handle.h>
 
+#include <cable_variation/util/name_list.h>
+
 namespace cable_variation_ros {
 
 namespace {
@@ -56,11 +58,66 @@ class ParameterReader {
     }
   }
 
+  /// ~limits: a map from the names of bounds to whole numbers, and `folders`.
+  void optionalLimits(cable_variation::InputLimits& limits) {
+    XmlRpc::XmlRpcValue given;
+    if (!node_.getParam("limits", given)) return;
+    if (given.getType() != XmlRpc::XmlRpcValue::TypeStruct) {
+      fault("limits", "expected a map from names to bounds");
+      return;
+    }
+    for (auto& [name, value] : given) {
+      if (name == "folders") {
+        readFolders(value, limits.folders);
+      } else {
+        readLimit(name, value, limits);
+      }
+    }
+  }
+
   void finish() const {
     if (!faults_.empty()) throw std::invalid_argument("parameters:" + faults_);
   }
 
  private:
+  void readLimit(const std::string& name, XmlRpc::XmlRpcValue& value, cable_variation::InputLimits& limits) {
+    constexpr double kMost = 1e15;
+    std::vector<std::string> known;
+    for (const cable_variation::InputLimitRow& row : cable_variation::inputLimitRows()) {
+      known.emplace_back(row.name);
+      if (name != row.name) continue;
+      const bool whole = value.getType() == XmlRpc::XmlRpcValue::TypeInt;
+      if (!whole && value.getType() != XmlRpc::XmlRpcValue::TypeDouble) {
+        fault("limits/" + name, "expected a number");
+        return;
+      }
+      const double bound = whole ? static_cast<double>(static_cast<int>(value)) : static_cast<double>(value);
+      if (!(bound >= 1.0 && bound <= kMost)) {
+        std::ostringstream text;
+        text << "is " << bound << ", expected 1 to " << kMost;
+        fault("limits/" + name, text.str());
+        return;
+      }
+      limits.*row.value = static_cast<std::size_t>(bound);
+      return;
+    }
+    fault("limits/" + name, "is no limit" + cable_variation::didYouMean(name, known));
+  }
+
+  void readFolders(XmlRpc::XmlRpcValue& value, std::vector<std::string>& folders) {
+    const bool list = value.getType() == XmlRpc::XmlRpcValue::TypeArray;
+    for (int i = 0; list && i < value.size(); ++i) {
+      if (value[i].getType() != XmlRpc::XmlRpcValue::TypeString) continue;
+      folders.push_back(static_cast<std::string>(value[i]));
+      if (folders.back().empty() || folders.back().front() != '/') {
+        fault("limits/folders", "has '" + folders.back() + "', expected absolute paths");
+      }
+    }
+    if (!list || folders.size() != static_cast<std::size_t>(value.size())) {
+      fault("limits/folders", "expected a list of paths");
+    }
+  }
+
   void fault(const std::string& name, const std::string& what) {
     faults_ += "\n  " + node_.resolveName(name) + " " + what;
   }
@@ -102,6 +159,7 @@ StaticGeometryParameters readStaticGeometryParameters(const ros::NodeHandle& nod
   return readParameters<StaticGeometryParameters>(
       node, [](ParameterReader& reader, StaticGeometryParameters& parameters) {
         readSceneOrFollow(reader, parameters);
+        reader.optionalLimits(parameters.limits);
       });
 }
 
@@ -109,6 +167,7 @@ MovingGeometryParameters readMovingGeometryParameters(const ros::NodeHandle& nod
   return readParameters<MovingGeometryParameters>(
       node, [](ParameterReader& reader, MovingGeometryParameters& parameters) {
         readSceneOrFollow(reader, parameters);
+        reader.optionalLimits(parameters.limits);
         reader.optionalPositive("rate", parameters.rate_hz, kHighestRate);
         reader.optional("loop", parameters.loop);
         reader.optionalPositive("speed", parameters.speed, kHighestSpeed);
@@ -129,6 +188,7 @@ CableSolverParameters readCableSolverParameters(const ros::NodeHandle& node) {
         reader.optionalPositive("memory_limit", parameters.memory_limit, kMostMemory);
         reader.optional("output_directory", parameters.output_directory);
         reader.optional("author", parameters.author);
+        reader.optionalLimits(parameters.limits);
       });
 }
 

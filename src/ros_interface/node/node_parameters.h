@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include <cable_variation/util/input_limits.h>
 #include <ros_interface/node/output_directory.h>
 
 namespace ros {
@@ -13,7 +14,8 @@ namespace cable_variation_ros {
 struct StaticGeometryParameters {
   std::string
       scene;  ///< path or package:// address of the scene file; empty, and `follow`: none to begin with
-  bool follow = false;  ///< show what a cable_solver has loaded
+  bool follow = false;                  ///< show what a cable_solver has loaded
+  cable_variation::InputLimits limits;  ///< of files that are read
 };
 
 struct MovingGeometryParameters {
@@ -23,6 +25,7 @@ struct MovingGeometryParameters {
   bool loop = true;                            ///< start again at the end
   double speed = 1.0;                          ///< seconds of motion per second
   std::string joint_states = "/joint_states";  ///< topic that robots' links follow
+  cable_variation::InputLimits limits;         ///< of files that are read
 };
 
 struct CableSolverParameters {
@@ -36,7 +39,8 @@ struct CableSolverParameters {
   double memory_limit = 2e9;    ///< for one envelope or simulation [B]
   /// Where files are written; made when there is something to write.
   std::string output_directory = defaultOutputDirectory();
-  std::string author;  ///< named in reports; empty: not
+  std::string author;                   ///< named in reports; empty: not
+  cable_variation::InputLimits limits;  ///< of files that are read
 };
 
 // Each reads the parameters of a node's private handle. Throws

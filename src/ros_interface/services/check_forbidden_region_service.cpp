@@ -10,6 +10,7 @@
 #include <cable_variation/measures/component_parts.h>
 #include <cable_variation/measures/open_parts.h>
 #include <cable_variation/util/error.h>
+#include <cable_variation/util/regular_file.h>
 #include <ros_interface/context/solver_context.h>
 #include <ros_interface/conversion/message_conversion.h>
 #include <ros_interface/conversion/scene_loading.h>
@@ -23,27 +24,37 @@ namespace cable_variation_ros {
 
 using cable_variation::ComponentParts;
 using cable_variation::ForbiddenRegion;
+using cable_variation::InputLimits;
 using cable_variation::Pose;
+using cable_variation::readWhole;
 using cable_variation::RegionClearance;
 using cable_variation::RegionClearanceResult;
+using cable_variation::RegularFile;
 using cable_variation::Scene;
 using cable_variation::Status;
 using cable_variation::TriangleMesh;
 
 namespace {
 
-constexpr std::uintmax_t kMostBytes = 2'000'000'000;  // of a region or mesh
-
-void requireFile(const std::string& path, const std::string& what) {
-  const std::string obstacle = cable_variation::obstacleTo(path, kMostBytes);
-  if (!obstacle.empty()) throw cable_variation::NotFound(what + ": '" + path + "' " + obstacle);
+// A saved region by its name in the output folder, where no link may lead out of it, or by an address.
+std::string regionFile(const std::string& address, const OutputDirectory& output, const InputLimits& limits,
+                       std::string& path) {
+  const bool is_address = address.find("://") != std::string::npos;
+  path = is_address ? resolveAddress(address, limits.region_bytes, limits.folders)
+                    : output.pathOf(address, ".obj");
+  try {
+    return readWhole(path, limits.region_bytes,
+                     is_address ? RegularFile::Links::follow : RegularFile::Links::refuse);
+  } catch (const std::invalid_argument& error) {
+    throw cable_variation::NotFound("region '" + address + "': '" + path + "' " + error.what());
+  }
 }
 
-ForbiddenRegion loadRegion(const std::string& address, const OutputDirectory& output) {
-  const bool is_address = address.find("://") != std::string::npos;
-  const std::string path = is_address ? resolveAddress(address) : output.pathOf(address, ".obj");
-  requireFile(path, "region '" + address + "'");
-  ForbiddenRegion region = cable_variation::readRegion(path);
+ForbiddenRegion loadRegion(const std::string& address, const OutputDirectory& output,
+                           const InputLimits& limits) {
+  std::string path;
+  const std::string text = regionFile(address, output, limits, path);
+  ForbiddenRegion region = cable_variation::parseRegion(text, path);
   if (region.frame != kWorldFrame) {
     throw std::invalid_argument("region '" + address + "': is in frame '" + region.frame + "', expected '" +
                                 kWorldFrame + "'");
@@ -51,18 +62,18 @@ ForbiddenRegion loadRegion(const std::string& address, const OutputDirectory& ou
   return region;
 }
 
-TriangleMesh loadMesh(const std::string& address, const geometry_msgs::Vector3& scale) {
+TriangleMesh loadMesh(const std::string& address, const geometry_msgs::Vector3& scale,
+                      const InputLimits& limits) {
   if (address.find("://") == std::string::npos) {
     throw std::invalid_argument("mesh: '" + address + "', expected a package:// or file:// address");
   }
-  const std::string path = resolveAddress(address);
-  requireFile(path, "mesh '" + address + "'");
+  const std::string path = resolveAddress(address, limits.mesh_bytes, limits.folders);
   Eigen::Vector3d factors = fromVector(scale);
   if (factors.isZero(0.0)) factors.setOnes();
   if (!factors.allFinite() || (factors.array() == 0.0).any()) {
     throw std::invalid_argument("scale: a factor is 0 or not finite, expected all three or none");
   }
-  return cable_variation::readMesh(path, factors);
+  return cable_variation::readMesh(path, factors, limits);
 }
 
 Pose poseOf(geometry_msgs::Pose pose) {
@@ -152,11 +163,11 @@ CheckForbiddenRegionService::Response CheckForbiddenRegionService::check(const R
   if (!request.mesh.empty() && !request.components.empty()) {
     throw std::invalid_argument("mesh and components: both are given, expected one of them");
   }
-  const ForbiddenRegion region = loadRegion(request.region, output_);
+  const ForbiddenRegion region = loadRegion(request.region, output_, context_.limits());
   Response response;
   InterferenceView view;
   if (!request.mesh.empty()) {
-    const TriangleMesh mesh = loadMesh(request.mesh, request.scale);
+    const TriangleMesh mesh = loadMesh(request.mesh, request.scale, context_.limits());
     const Pose pose = poseOf(request.pose);
     const cable_variation::DistancePart part(mesh);
     add(region, checkRegion(region, part, pose), request.mesh, part.openness(), mesh, pose, response, view);

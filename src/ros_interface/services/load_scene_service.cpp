@@ -17,7 +17,7 @@ LoadSceneService::LoadSceneService(ros::NodeHandle& node, SolverContext& context
 bool LoadSceneService::handle(cable_variation::LoadSceneRequest& request,
                               cable_variation::LoadSceneResponse& response) {
   response.status = runRequest([&] {
-    cable_variation::Scene scene = loadScene(request.scene);
+    cable_variation::Scene scene = loadScene(request.scene, context_.limits());
     response.warnings = warningsOf(scene);
     logWarnings(scene);
     context_.load(std::move(scene));

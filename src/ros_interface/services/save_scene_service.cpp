@@ -75,7 +75,7 @@ std::string warningOfShape(const SolverContext& context) {
     if (distance < kNoticed) return "";
     return "when it is loaded, the cables take a shape of lower energy than the one in force, up to " +
            cable_variation::shortNumber(1e3 * distance) + " mm away from it";
-  } catch (const cable_variation::Error& error) {
+  } catch (const std::runtime_error& error) {
     return std::string("with its components where the scene has them there is no equilibrium: ") +
            error.what();
   }
@@ -109,7 +109,7 @@ void SaveSceneService::save(const cable_variation::SaveSceneRequest& request,
   const Scene& loaded = context_.loaded();
   const Scene wanted = sceneOf(context_.design());
   const std::string text = editedSceneText(context_.loadedText(), loaded, wanted);
-  requireSame(cable_variation::readSceneText(text, path, findPackage), wanted);
+  requireSame(cable_variation::readSceneText(text, path, findPackage, context_.limits()), wanted);
   response.warnings = warningsOfMotions(loaded, wanted);
   const std::string shape = warningOfShape(context_);
   if (!shape.empty()) response.warnings.push_back(shape);

@@ -1,0 +1,8 @@
+#include <cable_variation/geometry/mesh/obj_reader.h>
+
+#include "fuzz_mesh.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace cable_variation;
+  return fuzzMesh([](const std::string& file) { return readObj(file); }, data, size);
+}
