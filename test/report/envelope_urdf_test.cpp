@@ -13,6 +13,7 @@
 #include <cable_variation/geometry/body/outer_surface.h>
 #include <cable_variation/geometry/body/primitives.h>
 #include <cable_variation/geometry/mesh/mesh_reader.h>
+#include <cable_variation/report/share_text.h>
 #include <cable_variation/report/stl.h>
 #include <cable_variation/scene_file/urdf_reader.h>
 #include <cable_variation/util/output_file.h>
@@ -212,6 +213,21 @@ TEST(EnvelopeUrdf, excessOfOneStraightStretch) {
   EXPECT_EQ(urdf.pieces, 1U);
   EXPECT_NEAR(urdf.excess, 0.07 * 0.004, 0.001 * 0.004);
   EXPECT_NE(urdf.text.find("package://some/envelopes/a &amp; b_surface.stl"), std::string::npos);
+}
+
+TEST(EnvelopeUrdf, tellsTheShareOfProductionHoweverCloseToAll) {
+  EnvelopeUrdfOptions options;
+  options.folder = "package://some/envelopes";
+  options.probability = 0.999999999;
+  const EnvelopeUrdf urdf = envelopeUrdf(bentCable(3, 1), sphereMesh(1.0), options);
+  EXPECT_NE(urdf.text.find("99.9999999 % of production"), std::string::npos) << urdf.text.substr(0, 200);
+  EXPECT_EQ(shareText(0.8), "80 %");
+  EXPECT_EQ(shareText(0.9973), "99.73 %");
+  EXPECT_EQ(shareText(1.0 - 1.0 / 6500.0), "99.984615 %");
+  EXPECT_EQ(shareText(1.0), "100 %");
+  for (double missing = 0.1; missing > 1e-12; missing *= 0.1) {
+    EXPECT_NE(shareText(1.0 - missing), "100 %") << missing;
+  }
 }
 
 TEST(EnvelopeUrdf, refusesWhatIsNone) {

@@ -7,6 +7,7 @@
 #include <cable_variation/envelope/statistical_envelope.h>
 #include <cable_variation/scene/deviations.h>
 #include <cable_variation/util/chosen_indices.h>
+#include <cable_variation/util/number_text.h>
 
 namespace cable_variation {
 namespace {
@@ -27,15 +28,13 @@ EnvelopeOptions checkedOptions(const Scene& scene, EnvelopeOptions options) {
     throw std::invalid_argument("from and to: expected times of at least 0 s");
   if (options.probability != 0.0) {
     planFor(options.probability, options.verification, 1);  // refuses what is none
-    std::ostringstream text;
-    text << "probability: " << options.probability;
+    const std::string text = "probability: " + numberText(options.probability);
     if (!options.motions.empty()) {
-      throw std::invalid_argument(text.str() +
-                                  " over motions; expected no motions, or 0: all that the "
-                                  "tolerances allow");
+      throw std::invalid_argument(text +
+                                  " over motions; expected no motions, or 0: all that the tolerances allow");
     }
     if (!options.conservative)
-      throw std::invalid_argument(text.str() + " without inflation; expected a conservative envelope");
+      throw std::invalid_argument(text + " without inflation; expected a conservative envelope");
   } else if (options.conservative && options.verification == 0) {
     throw std::invalid_argument("verification: 0 shapes; expected at least 1 for a conservative envelope");
   }

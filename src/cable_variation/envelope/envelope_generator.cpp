@@ -22,6 +22,7 @@
 #include <cable_variation/equilibrium/require_converged.h>
 #include <cable_variation/tracking/motion_phases.h>
 #include <cable_variation/util/chosen_indices.h>
+#include <cable_variation/util/number_text.h>
 #include <cable_variation/util/seconds_since.h>
 #include <cable_variation/util/thread_limit.h>
 
@@ -289,9 +290,9 @@ class Generator {
     envelope_.containment = result.containment;
     envelope_.draws = result.draws;
     if (!result.shown) {
-      warn(envelope_, "that ", 100.0 * plan.probability, " % of production is held could not be shown in ",
-           result.looks, " looks at fresh shapes: up to ", 100.0 * result.containment.outside_bound,
-           " % may stick out");
+      warn(envelope_, "that a share of ", numberText(plan.probability),
+           " of production is held could not be shown in ", result.looks, " looks at fresh shapes: up to ",
+           100.0 * result.containment.outside_bound, " % may stick out");
     }
     shares_.count(result.containment.shapes - result.containment.failed, result.snapped);
   }

@@ -15,6 +15,7 @@
 
 #include <cable_variation/statistics/confidence.h>
 #include <cable_variation/util/error.h>
+#include <cable_variation/util/number_text.h>
 
 namespace cable_variation {
 namespace {
@@ -148,7 +149,7 @@ std::uint64_t StatisticalPlan::samples() const {
 StatisticalPlan planFor(double probability, std::size_t verification, std::size_t stretches) {
   if (!(probability > 0.0 && probability < 1.0)) {
     std::ostringstream text;
-    text << "probability: " << probability
+    text << "probability: " << numberText(probability)
          << "; expected above 0 and below 1, or 0: all that the tolerances allow";
     throw std::invalid_argument(text.str());
   }
@@ -158,8 +159,8 @@ StatisticalPlan planFor(double probability, std::size_t verification, std::size_
   const double enough = std::ceil(kVerifiedOutside / rare);
   if (enough > static_cast<double>(kMostSamples) / (kMostLooks + 3)) {
     std::ostringstream text;
-    text << "probability: " << probability << " takes " << enough << " shapes to verify; expected at most "
-         << kMostSamples / (kMostLooks + 3);
+    text << "probability: " << numberText(probability) << " takes " << enough
+         << " shapes to verify; expected at most " << kMostSamples / (kMostLooks + 3);
     throw std::invalid_argument(text.str());
   }
   plan.calibration = std::max<std::size_t>(kFewest, static_cast<std::size_t>(enough));
@@ -171,7 +172,8 @@ StatisticalPlan planFor(double probability, std::size_t verification, std::size_
   if (!mostOutside(plan, 0)) {
     std::ostringstream text;
     text << "verification: " << plan.verification << " shapes; expected at least "
-         << std::ceil(std::log(kFirstError) / std::log(probability)) << " to show a share of " << probability;
+         << std::ceil(std::log(kFirstError) / std::log(probability)) << " to show a share of "
+         << numberText(probability);
     throw std::invalid_argument(text.str());
   }
   return plan;
@@ -263,7 +265,7 @@ StatisticalResult holdShareOfProduction(std::vector<PhaseSearch>& searches, cons
     result.inflation = std::max(result.inflation, inflationFor(protrusions, outside));
     if (!std::isfinite(result.inflation)) {
       std::ostringstream text;
-      text << "an envelope of a share of " << plan.probability << ": "
+      text << "an envelope of a share of " << numberText(plan.probability) << ": "
            << std::count(protrusions.begin(), protrusions.end(), kInfinity) << " of " << protrusions.size()
            << " harnesses drawn from production have no equilibrium that the design's leads to";
       throw NotConverged(text.str());

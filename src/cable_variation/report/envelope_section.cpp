@@ -6,6 +6,7 @@
 #include <cable_variation/envelope/clearance/clearance_limit.h>
 #include <cable_variation/report/deviation_text.h>
 #include <cable_variation/report/markup.h>
+#include <cable_variation/report/share_text.h>
 #include <cable_variation/report/verdict_table.h>
 
 namespace cable_variation {
@@ -18,9 +19,6 @@ std::string boundText(double share) {
   const double digit = std::pow(10.0, std::floor(std::log10(100.0 * share)) - 1.0);
   return figure(std::ceil(100.0 * share / digit - 1e-9) * digit, 2) + " %";
 }
-
-/// A share near the whole, with the digits that tell it from that.
-std::string shareText(double share) { return figure(100.0 * share, 7) + " %"; }
 
 std::string pairText(const Scene& scene, const EnvelopeClearance& clearance) {
   const std::string other =

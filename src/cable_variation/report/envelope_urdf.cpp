@@ -5,7 +5,6 @@
 #include <limits>
 #include <map>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <tuple>
 
@@ -15,6 +14,7 @@
 
 #include <cable_variation/geometry/body/convex_cover.h>
 #include <cable_variation/report/markup.h>
+#include <cable_variation/report/share_text.h>
 #include <cable_variation/report/stl.h>
 
 namespace cable_variation {
@@ -123,9 +123,7 @@ void check(const EnvelopeFrame& frame, const EnvelopeUrdfOptions& options) {
 
 std::string heldBy(double probability) {
   if (probability == 0.0) return "holds all that the tolerances allow";
-  std::ostringstream text;
-  text << "holds the whole shape of " << 100.0 * probability << " % of production";
-  return text.str();
+  return "holds the whole shape of " + shareText(probability) + " of production";
 }
 
 }  // namespace

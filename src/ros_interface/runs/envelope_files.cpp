@@ -7,6 +7,7 @@
 #include <cable_variation/report/stl.h>
 #include <cable_variation/scene/resource_address.h>
 #include <cable_variation/util/error.h>
+#include <cable_variation/util/number_text.h>
 #include <cable_variation/util/output_file.h>
 
 namespace cable_variation_ros {
@@ -27,7 +28,8 @@ EnvelopeFiles envelopeFiles(const OutputDirectory& output, const std::string& na
   options.folder = cable_variation::fileUrl(folder.string());
   const cable_variation::EnvelopeUrdf urdf = envelopeUrdf(envelope.frames.front(), surface.mesh, options);
   std::string title = "tolerance envelope " + name;
-  if (envelope.probability > 0.0) title += ", a share of " + std::to_string(envelope.probability);
+  if (envelope.probability > 0.0)
+    title += ", a share of " + cable_variation::numberText(envelope.probability);
   files.mesh_contents = {{files.mesh, cable_variation::binaryStl(surface.mesh, title)}};
   files.region_contents = {{files.region, regionText(forbiddenRegion(scene, envelope))}};
   for (const auto& mesh : urdf.meshes) files.urdf_contents.emplace_back(folder / mesh.name, mesh.contents);

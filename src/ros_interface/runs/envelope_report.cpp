@@ -4,6 +4,7 @@
 
 #include <cable_variation/equilibrium/require_converged.h>
 #include <cable_variation/report/review.h>
+#include <cable_variation/report/share_text.h>
 #include <cable_variation/util/chosen_indices.h>
 #include <ros_interface/runs/report_file.h>
 
@@ -17,13 +18,10 @@ using cable_variation::SolvedScene;
 namespace {
 
 std::vector<cable_variation::ReportFact> about(const Scene& scene, const EnvelopeFindings& found) {
-  std::ostringstream held;
-  if (found.envelope.probability > 0.0) {
-    held << 100.0 * found.envelope.probability << " % of production";
-  } else {
-    held << "all that the tolerances allow at their worst together";
-  }
-  std::vector<cable_variation::ReportFact> facts{{"Envelope of", held.str()}};
+  const std::string held = found.envelope.probability > 0.0
+                               ? cable_variation::shareText(found.envelope.probability) + " of production"
+                               : "all that the tolerances allow at their worst together";
+  std::vector<cable_variation::ReportFact> facts{{"Envelope of", held}};
   if (found.options.motions.empty()) return facts;
   std::ostringstream over;
   over << motionText(scene, found.options.motions) << ", " << found.envelope.phases.front().start << " s to "
