@@ -10,6 +10,7 @@
 #include <ros_interface/display/interference_publisher.h>
 #include <ros_interface/markers/cable_markers.h>
 #include <ros_interface/markers/clip_markers.h>
+#include <ros_interface/markers/labels.h>
 #include <ros_interface/node/names.h>
 
 namespace cable_variation_ros {
@@ -28,6 +29,7 @@ std::vector<std::size_t> firstNumbers(std::size_t count) {
 
 SolverPublisher::SolverPublisher(ros::NodeHandle& node, InterferencePublisher& interference)
     : cables_(node, kCablesTopic),
+      marks_(node, std::string(kMarksTopics) + kCablesTopic),
       interference_(interference),
       shapes_(node.advertise<cable_variation::CableShapes>(kShapesTopic, 1, true)),
       deviations_(node.advertise<ComponentDeviations>(kComponentDeviationsTopic, 1, true)) {
@@ -41,8 +43,10 @@ void SolverPublisher::publish(const SolverContext& context,
   const visualization_msgs::MarkerArray clips = clipMarkers(context.equilibrium(), context.harness());
   markers.markers.insert(markers.markers.end(), clips.markers.begin(), clips.markers.end());
   cables_.publish(markers);
+  marks_.publish(clipMarkers(context.equilibrium(), context.harness(), false));
   const cable_variation::Scene& scene = context.design().scene;
-  interference_.showMeasures(distanceMarks(scene, firstNumbers(measured.size()), measured), clips);
+  interference_.showMeasures(distanceMarks(scene, firstNumbers(measured.size()), measured), clips,
+                             clipLabels(context.equilibrium(), context.harness()));
   shapes_.publish(toCableShapes(context.equilibrium(), context.harness(), context.stamp()));
   const ComponentDeviations deviations =
       toMessage(componentDeviations(scene, context.design().shifted, context.moved(), context.onTf()));

@@ -19,7 +19,7 @@ class SolverContext;
 
 class InterferencePublisher;
 
-/// Shows the design in force: ~cables (markers of cables and clips), ~shapes,
+/// Shows the design in force: ~cables (markers of cables and clips), ~marks/cables (of clips), ~shapes,
 /// ~component_deviations and, as ~interference, what distances were measured. While there is no equilibrium
 /// the last shape stays on ~cables, greyed.
 class SolverPublisher {
@@ -29,7 +29,7 @@ class SolverPublisher {
   void publish(const SolverContext& context, const std::vector<cable_variation::MeasureValue>& measured);
 
  private:
-  MarkerChannel cables_;
+  MarkerChannel cables_, marks_;
   InterferencePublisher& interference_;
   ros::Publisher shapes_;
   ros::Publisher deviations_;

@@ -148,7 +148,7 @@ constexpr double kSmallestRadius = 0.002;  // a clip is drawn as for a cable thi
 }  // namespace
 
 visualization_msgs::MarkerArray clipMarkers(const cable_variation::Equilibrium& equilibrium,
-                                            const Harness& harness) {
+                                            const Harness& harness, bool named) {
   visualization_msgs::MarkerArray array;
   for (std::size_t i = 0; i < harness.clips.size(); ++i) {
     Clip clip = harness.clips[i];
@@ -163,9 +163,11 @@ visualization_msgs::MarkerArray clipMarkers(const cable_variation::Equilibrium& 
     if (!clip.attached) color.w() = kOpenAlpha;
     MarkerGroup group(kClipMarkers + clip.name, kWorldFrame, color);
     look.draw({group, clip, radius});
-    group.setColor({0.96, 0.97, 0.98, 1.0});
-    group.addText(clip.pose.position + (3.2 * radius + kTextHeight) * kZ,
-                  clip.attached ? clip.name : clip.name + " (open)", kTextHeight);
+    if (named) {
+      group.setColor({0.96, 0.97, 0.98, 1.0});
+      group.addText(clip.pose.position + (3.2 * radius + kTextHeight) * kZ,
+                    clip.attached ? clip.name : clip.name + " (open)", kTextHeight);
+    }
     array.markers.insert(array.markers.end(), group.markers().begin(), group.markers().end());
   }
   return array;

@@ -12,7 +12,8 @@ namespace cable_variation_ros {
 /// (sliding_rolling), a ring (eyelet), an open channel (guide), a plate (plane),
 /// a rubber disc (grommet), a cone (free), a small block (general). A free clip is
 /// where its cable is; without an equilibrium it is nowhere.
+/// @param named with their names as texts
 visualization_msgs::MarkerArray clipMarkers(const cable_variation::Equilibrium& equilibrium,
-                                            const cable_variation::Harness& harness);
+                                            const cable_variation::Harness& harness, bool named = true);
 
 }  // namespace cable_variation_ros

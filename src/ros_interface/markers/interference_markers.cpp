@@ -27,6 +27,14 @@ bool interferes(const Measure& measure, double distance) {
   return distance < 0.0 || (measure.lower && distance < *measure.lower);
 }
 
+MarkerGroup pairOf(const DistanceMark& mark) {
+  MarkerGroup group(mark.marker_namespace, kWorldFrame, mark.interferes ? kInterferenceRed : kNeutral);
+  group.addSphere(mark.point, kBall);
+  group.addSphere(mark.other, kBall);
+  group.addCylinder(mark.point, mark.other, kLine);
+  return group;
+}
+
 }  // namespace
 
 std::string distanceText(double distance, double arc_length) {
@@ -64,15 +72,21 @@ visualization_msgs::MarkerArray interferenceMarkers(const std::vector<DistanceMa
   labels.keep(others);
   visualization_msgs::MarkerArray array;
   for (const DistanceMark& mark : marks) {
-    MarkerGroup group(mark.marker_namespace, kWorldFrame, mark.interferes ? kInterferenceRed : kNeutral);
-    group.addSphere(mark.point, kBall);
-    group.addSphere(mark.other, kBall);
-    group.addCylinder(mark.point, mark.other, kLine);
+    MarkerGroup group = pairOf(mark);
     const Eigen::Vector3d half_line = 0.7 * kTextHeight * Eigen::Vector3d::UnitZ();
     const Eigen::Vector3d text =
         labels.place(mark.point + kTextAbove * Eigen::Vector3d::UnitZ() + half_line, mark.text, kTextHeight);
     group.addCylinder(mark.point, text - half_line, kLeader);
     group.addText(text, mark.text, kTextHeight);
+    array.markers.insert(array.markers.end(), group.markers().begin(), group.markers().end());
+  }
+  return array;
+}
+
+visualization_msgs::MarkerArray pairMarkers(const std::vector<DistanceMark>& marks) {
+  visualization_msgs::MarkerArray array;
+  for (const DistanceMark& mark : marks) {
+    const MarkerGroup group = pairOf(mark);
     array.markers.insert(array.markers.end(), group.markers().begin(), group.markers().end());
   }
   return array;

@@ -35,4 +35,7 @@ std::vector<DistanceMark> distanceMarks(const cable_variation::Scene& scene,
 visualization_msgs::MarkerArray interferenceMarkers(const std::vector<DistanceMark>& marks,
                                                     const visualization_msgs::MarkerArray& others = {});
 
+/// The same without texts and their leaders.
+visualization_msgs::MarkerArray pairMarkers(const std::vector<DistanceMark>& marks);
+
 }  // namespace cable_variation_ros

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include <ros_interface/markers/cable_markers.h>
+#include <ros_interface/markers/cable_tubes.h>
 #include <ros_interface/markers/colour_map.h>
 #include <ros_interface/node/names.h>
 
@@ -146,6 +147,14 @@ SensitivityView sensitivityView(const DesignVariable& variable, const Harness& h
     view.markers.markers.insert(view.markers.markers.end(), group.markers().begin(), group.markers().end());
   }
   view.legend = legendOf(variable, largest, enlargement);
+  const double shown = largest > 0.0 ? view.legend.maximum / largest : 0.0;  // in the legend's unit
+  std::map<std::size_t, std::function<double(double)>> values;
+  for (std::size_t i = 0; i < equilibrium.shapes.size(); ++i) {
+    values[i] = [&shape = equilibrium.shapes[i], &rates = rate.shapes[i], shown](double s) {
+      return shown * shiftAt(shape, rates, s).norm();
+    };
+  }
+  view.tubes = valuedTubes(equilibrium, harness, variationQuantity(view.legend), values);
   return view;
 }
 

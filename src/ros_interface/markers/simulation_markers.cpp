@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include <ros_interface/markers/cable_markers.h>
+#include <ros_interface/markers/cable_tubes.h>
 #include <ros_interface/markers/colour_map.h>
 #include <ros_interface/node/names.h>
 
@@ -124,6 +125,12 @@ SimulationView simulationView(const Scene& scene, const Simulation& simulation, 
   view.legend.samples = static_cast<std::uint32_t>(statistics.count(SampleOutcome::solved) +
                                                    statistics.count(SampleOutcome::snapped));
   view.legend.note = noteOf(simulation, over_motion);
+  std::map<std::size_t, std::function<double(double)>> values;
+  for (const CableVariation& cable : simulation.cables) {
+    values[cable.cable] = [&cable, figure](double s) { return kMillimetres * valueAt(cable, figure, s); };
+  }
+  view.tubes =
+      valuedTubes(simulation.linear.nominal, simulation.harness, variationQuantity(view.legend), values);
   return view;
 }
 

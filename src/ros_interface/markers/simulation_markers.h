@@ -2,6 +2,7 @@
 
 #include <visualization_msgs/MarkerArray.h>
 
+#include <cable_variation/CableTubes.h>
 #include <cable_variation/Legend.h>
 
 #include <cable_variation/simulation/simulation.h>
@@ -11,7 +12,8 @@ namespace cable_variation_ros {
 
 struct SimulationView {
   visualization_msgs::MarkerArray markers;
-  cable_variation::Legend legend;  ///< its topic is left to whoever publishes it
+  cable_variation::CableTubes tubes;  ///< the cables with those values
+  cable_variation::Legend legend;     ///< its topic is left to whoever publishes it
 };
 
 /// How production varies the cables. Namespace variation/CABLE: each cable of the design in the colour of its

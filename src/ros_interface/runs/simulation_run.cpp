@@ -65,9 +65,10 @@ void SimulationRun::calculate(RunControl& control) {
 bool SimulationRun::show(const SolverContext& context) {
   if (view_.markers.markers.empty()) return true;
   if (!origin_.fits(context)) return false;
-  publisher_.show(view_.markers, view_.legend, [&publisher = publisher_, &context, origin = origin_] {
-    if (!origin.fits(context)) publisher.clear();
-  });
+  publisher_.show(view_.markers, view_.tubes, view_.legend,
+                  [&publisher = publisher_, &context, origin = origin_] {
+                    if (!origin.fits(context)) publisher.clear();
+                  });
   return true;
 }
 

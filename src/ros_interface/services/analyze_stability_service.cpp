@@ -49,7 +49,7 @@ std::vector<ComponentVariation> variationsOf(const Scene& scene, const Stability
   for (std::size_t i = 0; i < scene.components.size(); ++i) {
     const std::vector<std::size_t> own = ownVariables(scene, i);
     if (own.empty()) continue;
-    variations.push_back(componentVariation(scene, i, own, options.values, options.moved, context_.onTf()));
+    variations.push_back(componentVariation(scene, i, own, options.values, options.moved));
   }
   return variations;
 }
@@ -87,7 +87,7 @@ void AnalyzeStabilityService::follow(const std::string& variable) {
   const auto index = static_cast<std::size_t>(found - variables.begin());
   const SensitivityView view =
       sensitivityView(*found, context_.harness(), context_.equilibrium(), context_.shapeRate(index));
-  publisher_.show(view.markers, view.legend, [this, variable] { follow(variable); });
+  publisher_.show(view.markers, view.tubes, view.legend, [this, variable] { follow(variable); });
 }
 
 AnalyzeStabilityService::Response AnalyzeStabilityService::analyse(const Request& request) {
@@ -113,8 +113,8 @@ AnalyzeStabilityService::Response AnalyzeStabilityService::analyse(const Request
 
   if (request.show_components) {
     const ComponentVariationView view = componentVariationMarkers(
-        scene, components, poses, componentDeviations(scene, options.values, options.moved));
-    publisher_.show(view.markers, view.legend, nullptr);
+        scene, components, poses, componentDeviations(scene, options.values, options.moved, context_.onTf()));
+    publisher_.show(view.markers, {}, view.legend, nullptr);
   } else if (column) {
     const DesignVariable& variable = scene.design_variables[analysis.variables[*column]];
     const cable_variation::Harness harness = harnessAt(scene, options.values, options.moved);
@@ -122,7 +122,7 @@ AnalyzeStabilityService::Response AnalyzeStabilityService::analyse(const Request
         sensitivityView(variable, harness, analysis.nominal, analysis.rates[*column]);
     std::function<void()> renew;
     if (request.nominal_variables.empty()) renew = [this, name = variable.name] { follow(name); };
-    publisher_.show(view.markers, view.legend, renew);
+    publisher_.show(view.markers, view.tubes, view.legend, renew);
     response.shown = variable.name;
   } else {
     publisher_.clear();
