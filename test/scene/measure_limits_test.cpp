@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cable_variation/scene/severity.h>
+
 namespace cable_variation {
 namespace {
 
@@ -40,6 +42,20 @@ TEST(MeasureLimits, aMissingValueIsNeitherWithinNorBeyondThem) {
   gap.lower = 0.005;
   EXPECT_FALSE(withinLimits(gap, kNan));
   EXPECT_FALSE(beyondLimits(gap, kNan));
+}
+
+TEST(MeasureLimits, anythingIsWorseThanWhatIsNotANumber) {
+  Measure gap;
+  gap.lower = 1.0;
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const double none = kNan;
+  EXPECT_TRUE(isWorse(gap, 0.0, 1.0, 2.0));
+  EXPECT_FALSE(isWorse(gap, 0.0, 2.0, 1.0));
+  EXPECT_TRUE(isWorse(gap, 0.0, 5.0, kInfinity));
+  EXPECT_FALSE(isWorse(gap, 0.0, kInfinity, kInfinity));
+  EXPECT_TRUE(isWorse(gap, 0.0, kInfinity, none));
+  EXPECT_FALSE(isWorse(gap, 0.0, none, kInfinity));
+  EXPECT_FALSE(isWorse(gap, 0.0, none, none));
 }
 
 }  // namespace

@@ -14,7 +14,6 @@
 #include <gtest/gtest.h>
 
 #include <cable_variation/scene_file/scene_reader.h>
-#include <cable_variation/simulation/worst_over_motion.h>
 #include <cable_variation/util/error.h>
 
 #include <simulation/solved_design.h>
@@ -414,20 +413,6 @@ TEST(simulation, over_a_motion_an_infinite_measure_has_no_say) {
     EXPECT_LE(time.time, 2.0);
   }
   EXPECT_EQ(alone.statistics.statistics[0].infinite, 64u);
-}
-
-TEST(simulation, worse_than_what_is_not_a_number_is_anything) {
-  Measure gap = measure(Measure::Type::distance, "gap");
-  gap.lower = 1.0;
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  const double none = std::nan("");
-  EXPECT_TRUE(isWorse(gap, 0.0, 1.0, 2.0));
-  EXPECT_FALSE(isWorse(gap, 0.0, 2.0, 1.0));
-  EXPECT_TRUE(isWorse(gap, 0.0, 5.0, kInfinity));
-  EXPECT_FALSE(isWorse(gap, 0.0, kInfinity, kInfinity));
-  EXPECT_TRUE(isWorse(gap, 0.0, kInfinity, none));
-  EXPECT_FALSE(isWorse(gap, 0.0, none, kInfinity));
-  EXPECT_FALSE(isWorse(gap, 0.0, none, none));
 }
 
 TEST(simulation, can_be_ended_before_its_first_sample) {

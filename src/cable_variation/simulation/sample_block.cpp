@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <cable_variation/simulation/worst_over_motion.h>
+#include <cable_variation/scene/severity.h>
 
 namespace cable_variation {
 

@@ -12,6 +12,7 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/task_arena.h>
 
+#include <cable_variation/scene/severity.h>
 #include <cable_variation/simulation/sample_block.h>
 #include <cable_variation/simulation/worst_over_motion.h>
 #include <cable_variation/util/chosen_indices.h>
