@@ -113,6 +113,32 @@ def designs(variables, cables, clips):
     yield from topics('of the design again', SOLVER, 'shapes')
 
 
+def attachments(clips):
+    attach = 'SetAttachment'
+    yield service(attach, 'opened', clip=clips[-1], attached=False)
+    yield from topics('of an open clip', SOLVER, 'cables', 'shapes')
+    yield service(attach, 'closed again', clip=clips[-1], attached=True, reach=1.0)
+    yield service(attach, 'no such clip', clip='nobody')
+    yield service('Trigger', 'after clips', service_name='reset_design')
+
+
+def paths(clips, motion, duration):
+    check = 'CheckPath'
+    yield service(check, 'no such clip', clip='nobody')
+    yield service(check, 'a pose', clip=clips[-1], path={'poses': [{'pose': {'orientation': {'w': 1.0}}}]})
+    if motion:
+        yield service(check, 'a motion', motions=[motion], from_time=0.2 * duration, to_time=0.25 * duration,
+                      report='path')
+        yield from topics('of a path', SOLVER, 'path_check')
+
+
+def saved_scenes():
+    save = 'SaveScene'
+    yield service(save, 'as it is', name='saved')
+    yield service(save, 'again', name='saved')
+    yield service(save, 'no name for a file', name='../up')
+
+
 def motions(motion, duration):
     yield service('SetBool', 'halt', service_name='play', node=MOVING, data=False)
     for share in (0.3, 1.1, float('nan')):
@@ -141,6 +167,10 @@ def fixed_requests(scene, path):
     yield from regions([each.name for each in scene.components])
     yield from simulations(names, measures, motion, duration)
     yield from designs(variables, scene.cables, [each.name for each in scene.clips])
+    clips = [each.name for each in scene.clips]
+    yield from attachments(clips)
+    yield from paths(clips, motion, duration)
+    yield from saved_scenes()
     yield service('LoadScene', 'no such file', scene='package://cable_variation/config/nobody.yaml')
     yield service('LoadScene', 'again', scene=path)
     yield service('SolveEquilibrium', 'loaded again')

@@ -26,15 +26,17 @@ void warnOfDriven(const cable_variation::Scene& scene) {
 
 CableSolver::CableSolver(ros::NodeHandle node, const CableSolverParameters& parameters)
     : node_(std::move(node)),
-      context_(loadScene(parameters.scene)),
+      context_(loadScene(parameters.scene, parameters.limits), parameters.limits),
       measured_(context_),
       spinning_(*ros::getGlobalCallbackQueue()),
       interference_(node_),
       publisher_(node_, interference_),
       live_publisher_(node_, parameters.live_topics),
       events_(node_),
-      variation_(node_),
+      tubes_(node_),
+      variation_(node_, tubes_),
       envelope_(node_, interference_),
+      path_(node_),
       design_state_(node_),
       diagnostics_(node_, context_),
       solve_equilibrium_(node_, context_),
@@ -45,6 +47,7 @@ CableSolver::CableSolver(ros::NodeHandle node, const CableSolverParameters& para
       design_(node_, context_),
       set_attachment_(node_, context_, {shape_watch_, measured_}),
       check_forbidden_region_(node_, context_, interference_, OutputDirectory(parameters.output_directory)),
+      check_path_(node_, context_, spinning_, path_, OutputDirectory(parameters.output_directory), names_),
       runner_(context_, spinning_, names_,
               {parameters.threads, parameters.memory_limit, OutputDirectory(parameters.output_directory)}),
       envelopes_(runner_, envelope_, kGenerateEnvelopeService),
@@ -121,7 +124,9 @@ void CableSolver::show() {
   clip_frames_.publish(context_);
   events_.publish(shape_watch_.eventsOf(context_, measured_.values()));
   variation_.contextChanged();
+  tubes_.publish(context_);
   envelope_.contextChanged(context_);
+  path_.contextChanged(context_);
   check_forbidden_region_.contextChanged();
   if (drags_) drags_->contextChanged();
   diagnostics_.contextChanged();

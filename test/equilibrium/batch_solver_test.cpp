@@ -18,12 +18,13 @@ namespace {
 constexpr double kDegree = M_PI / 180.0;
 
 constexpr double kAccuracy = 1e-4;
-// A batch works on the grid that half of the error asks for.
+// A batch works on the grid that half of the errors asks for.
 constexpr double kOnBatchGrid = 0.5;
 
 EquilibriumSolver solved(const Harness& harness, double share = 1.0) {
   EquilibriumOptions options;
   options.accuracy = share * kAccuracy;
+  options.force_accuracy *= share;
   options.eigenvalue = false;
   EquilibriumSolver solver(options);
   const Equilibrium result = solver.solve(harness);

@@ -87,7 +87,7 @@ TEST(MeshReader, refusesMeshesWithoutASurface) {
   EXPECT_EQ(refusal("flat.stl"), "none of its triangles has an area");
   EXPECT_NE(refusal("empty.stl"), "");
   EXPECT_NE(refusal("nan_vertex.stl"), "");
-  EXPECT_EQ(refusal("nothing.stl"), "no such file");
+  EXPECT_EQ(refusal("nothing.stl"), "does not exist");
 }
 
 }  // namespace

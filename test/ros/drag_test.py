@@ -109,6 +109,7 @@ class DragTest(NodeTest):
         self.eventually(lambda: len(self.marker('clip/WH_End').controls) == 1, 'closed again')
 
     def test_a_clip_is_added_where_a_cable_was_clicked_on(self):
+        time.sleep(1.0)  # cables can be clicked on again some time after the reset
         cable = self.marker('cable/main')
         shape = self.latched('/cable_solver/shapes', CableShapes).cables[0]
         middle = len(shape.section) // 2
@@ -144,4 +145,5 @@ class DragTest(NodeTest):
 
 
 if __name__ == '__main__':
+    rospy.init_node('drag_test')
     rostest.rosrun('cable_variation', 'drag', DragTest)

@@ -2,6 +2,7 @@
 """~save_scene: the design in force as a scene file that loads again to the same shape."""
 import os
 
+import rospy
 import rostest
 from cable_variation.msg import CableShapes, ClipEdit, ComponentEdit, NewClip, Status
 from cable_variation.srv import GetScene, LoadScene, SaveScene, SetDesign
@@ -95,4 +96,5 @@ class SaveSceneTest(NodeTest):
 
 
 if __name__ == '__main__':
+    rospy.init_node('save_scene_test')
     rostest.rosrun('cable_variation', 'save_scene', SaveSceneTest)

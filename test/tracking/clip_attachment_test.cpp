@@ -114,9 +114,9 @@ INSTANTIATE_TEST_SUITE_P(Cases, OpenedClip,
                                          Case{"config/harness.yaml", "WH_Start"},
                                          Case{"config/harness.yaml", "WH_Branch"},
                                          Case{"config/harness_clipped.yaml", "WH_Tie"}),
-                         [](const auto& info) {
-                           std::string name = info.param.clip;
-                           return name + std::to_string(info.index);
+                         [](const auto& case_info) {
+                           std::string name = case_info.param.clip;
+                           return name + std::to_string(case_info.index);
                          });
 
 TEST(ClipAttachment, AConnectorIsHandedOverWithoutMoving) {

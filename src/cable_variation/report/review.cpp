@@ -55,6 +55,7 @@ std::string reviewPage(const Review& review) {
     sections.push_back(cableVariationSection(review.scene, simulation));
   }
   if (review.envelope) sections.push_back(envelopeSection(review.scene, *review.envelope));
+  if (review.path) sections.push_back(pathSection(review.scene, *review.path));
   const std::string name = std::filesystem::path(review.scene.source).filename().string();
   return reportPage(name.empty() ? review.title : name + ": " + review.title, factsOf(review),
                     review.warnings, sections);

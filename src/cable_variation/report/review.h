@@ -7,6 +7,7 @@
 #include <cable_variation/measures/measure_evaluation.h>
 #include <cable_variation/report/envelope_section.h>
 #include <cable_variation/report/page.h>
+#include <cable_variation/report/path_section.h>
 #include <cable_variation/simulation/simulation.h>
 
 namespace cable_variation {
@@ -32,6 +33,7 @@ struct Review {
   const StabilityAnalysis* stability = nullptr;
   const Simulation* simulation = nullptr;
   std::optional<EnvelopeFindings> envelope;
+  std::optional<PathFindings> path = {};  ///< measures are then judged by their worst along it
 };
 
 /// All of it as one page: the verdict on each measure, a picture of the scene, the tolerances; then the

@@ -37,6 +37,10 @@ MeasureEvidence evidenceOf(const Review& review) {
       evidence.values[static_cast<std::size_t>(found - evidence.measures.begin())] = statistics.nominal[i];
     }
   }
+  for (std::size_t i = 0; review.path && i < evidence.measures.size(); ++i) {
+    const std::size_t measure = evidence.measures[i];
+    evidence.values[i] = worstAlong(review.path->check, review.scene.measures[measure], measure).worst;
+  }
   if (review.envelope) evidence.clearances = &review.envelope->clearances;
   return evidence;
 }
@@ -75,12 +79,14 @@ ReportSection summarySection(const Review& review) {
   const std::vector<MeasureVerdict> verdicts = verdictsOf(review.scene, evidenceOf(review));
   const std::vector<EnvelopeClearance> none;
   const OverallVerdict overall =
-      overallVerdict(review.scene, verdicts, review.envelope ? review.envelope->clearances : none);
+      overallVerdict(review.scene, verdicts, review.envelope ? review.envelope->clearances : none,
+                     review.path ? pathFaults(review.path->check) : std::vector<std::string>());
   section.banner(toneOf(overall.verdict), capitals(toString(overall.verdict)), overall.text);
   addPicture(review, verdicts, section);
   if (!verdicts.empty()) {
-    section.table(verdictTable(review.scene, verdicts));
-    section.paragraph(verdictRule(verdicts));
+    section.table(verdictTable(review.scene, verdicts, review.path ? "worst on\nthe path" : "design"));
+    section.paragraph(review.path ? "A measure passes that keeps its limits all along the path."
+                                  : verdictRule(verdicts));
   }
   if (!review.variables.empty()) {
     section.heading("Tolerances that went in");

@@ -138,7 +138,8 @@ Verdict verdictOf(const Scene& scene, const EnvelopeClearance& clearance) {
 }
 
 OverallVerdict overallVerdict(const Scene& scene, const std::vector<MeasureVerdict>& measures,
-                              const std::vector<EnvelopeClearance>& clearances) {
+                              const std::vector<EnvelopeClearance>& clearances,
+                              const std::vector<std::string>& faults) {
   std::size_t judged = 0;
   std::vector<std::string> failed, marginal, unknown;
   const auto take = [&](Verdict verdict, const std::string& name) {
@@ -153,6 +154,7 @@ OverallVerdict overallVerdict(const Scene& scene, const std::vector<MeasureVerdi
     take(verdictOf(scene, each), scene.harness.cables[each.cable].name + " – " +
                                      (each.other ? scene.harness.cables[*each.other].name : each.component));
   }
+  for (const std::string& fault : faults) take(Verdict::fail, fault);
   const auto listed = [](const std::vector<std::string>& names) {
     constexpr std::size_t kMost = 6;
     std::string text;

@@ -59,7 +59,9 @@ struct OverallVerdict {
   Verdict verdict = Verdict::unknown;
   std::string text;
 };
+/// @param faults what fails beside, a few words each
 OverallVerdict overallVerdict(const Scene& scene, const std::vector<MeasureVerdict>& measures,
-                              const std::vector<EnvelopeClearance>& clearances);
+                              const std::vector<EnvelopeClearance>& clearances,
+                              const std::vector<std::string>& faults = {});
 
 }  // namespace cable_variation

@@ -56,10 +56,11 @@ ReportCell verdictCell(Verdict verdict) {
   return cell;
 }
 
-ReportTable verdictTable(const Scene& scene, const std::vector<MeasureVerdict>& verdicts) {
+ReportTable verdictTable(const Scene& scene, const std::vector<MeasureVerdict>& verdicts,
+                         const std::string& value) {
   const bool cpk = any(verdicts, &MeasureVerdict::cpk), worst = any(verdicts, &MeasureVerdict::worst_low);
   const bool outside = any(verdicts, &MeasureVerdict::outside), sigma = any(verdicts, &MeasureVerdict::sigma);
-  ReportTable table{"", {"measure", "verdict", "unit", "design", "limits"}, {}};
+  ReportTable table{"", {"measure", "verdict", "unit", value, "limits"}, {}};
   if (cpk) table.columns.emplace_back("Cpk");
   if (worst) table.columns.emplace_back("worst case");
   if (sigma) table.columns.emplace_back("σ");

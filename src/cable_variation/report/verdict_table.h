@@ -14,7 +14,9 @@ ReportCell verdictCell(Verdict verdict);
 
 /// All measures: verdict, value at the design, limits, Cpk, worst case, share outside. What no measure has is
 /// left out.
-ReportTable verdictTable(const Scene& scene, const std::vector<MeasureVerdict>& verdicts);
+/// @param value what the value is of
+ReportTable verdictTable(const Scene& scene, const std::vector<MeasureVerdict>& verdicts,
+                         const std::string& value = "design");
 
 /// Of the rows above: by what they are judged.
 std::string verdictRule(const std::vector<MeasureVerdict>& verdicts);

@@ -28,6 +28,7 @@ Review startReview(const std::string& title, const DesignOrigin& origin, const S
           {},
           nullptr,
           nullptr,
+          std::nullopt,
           std::nullopt};
 }
 
