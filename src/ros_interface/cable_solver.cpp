@@ -39,7 +39,7 @@ CableSolver::CableSolver(ros::NodeHandle node, const CableSolverParameters& para
       path_(node_),
       design_state_(node_),
       diagnostics_(node_, context_),
-      solve_equilibrium_(node_, context_),
+      solve_equilibrium_(node_, context_, OutputDirectory(parameters.output_directory), names_),
       analyze_stability_(node_, context_, variation_, OutputDirectory(parameters.output_directory), names_),
       get_scene_(node_, context_),
       load_scene_(node_, context_),

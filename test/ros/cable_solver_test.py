@@ -5,11 +5,12 @@ import os
 import shutil
 import sys
 import tempfile
+import xml.etree.ElementTree as ElementTree
 
 import rospy
 import rostest
-from cable_variation.msg import CableEdit, CableShapes, ClipEdit, Status
-from cable_variation.srv import GetScene, LoadScene, SetDesign, SolveEquilibrium
+from cable_variation.msg import CableEdit, CableShapes, ClipEdit, ComponentEdit, Status
+from cable_variation.srv import GenerateEnvelope, GetScene, LoadScene, SetDesign, SolveEquilibrium
 from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import Pose, Vector3
 from node_client import NodeTest, xyz
@@ -88,6 +89,30 @@ class CableSolverTest(NodeTest):
         for time in (-1, 2.5, float('nan')):
             self.assertRefused(self.solve(motion='slide', time=time).status, Status.INVALID_ARGUMENT,
                                'expected 0 to 2 s')
+
+    def test_a_component_that_is_moved_by_hand_is_elsewhere_on_its_motion_too(self):
+        self.assertSuccess(self.load_scene(DATA + 'moving_bag.yaml').status)
+        pose = Pose()
+        pose.position.y, pose.orientation.w = 0.03, 1.0
+        self.assertSuccess(self.set_design(components=[ComponentEdit(component='sled', pose=pose)]).status)
+        self.assertAlmostEqual(self.end_of_shape()[1], 0.03, places=7)
+        answer = self.solve(motion='slide', time=1.0)
+        self.assertSuccess(answer.status)
+        self.assertAlmostEqual(answer.shapes[0].section[-1].position.x, 0.05, places=7)
+        self.assertAlmostEqual(answer.shapes[0].section[-1].position.y, 0.03, places=7)
+        envelope = self.service('/cable_solver/generate_envelope', GenerateEnvelope)(
+            motions=['slide'], motion_only=True, non_conservative=True)
+        self.assertSuccess(envelope.status)
+        self.assertGreater(max(vertex.y for vertex in envelope.mesh.vertices), 0.03)  # by the cable's radius
+
+    def test_a_report_of_an_equilibrium(self):
+        answer = self.solve(variables=['b_z'], values=[0.003], report='at_rest')
+        self.assertSuccess(answer.status)
+        text = ' '.join(ElementTree.parse(answer.report_file).getroot().itertext())
+        self.assertIn('b_z = 3 mm', text)
+        self.assertIn('The design at rest', text)
+        self.assertRefused(self.solve(report='../up').status, Status.INVALID_ARGUMENT, '../up')
+        self.assertEqual(self.solve().report_file, '')
 
     def test_get_scene(self):
         scene = self.get_scene()

@@ -2,9 +2,12 @@
 #include <cable_variation/scene/design.h>
 
 #include <cmath>
+#include <random>
 #include <stdexcept>
 
 #include <gtest/gtest.h>
+
+#include <cable_variation/scene/moving_components.h>
 
 namespace cable_variation {
 namespace {
@@ -109,6 +112,47 @@ TEST(Design, ARestCurvatureIsSetOnce) {
   setNominal(design, "shape", 1.1);
   setNominal(design, "shape", 1.1);
   EXPECT_DOUBLE_EQ(design.scene.harness.cables[0].rest_curvature[0].curvature.z(), 2.2);
+}
+
+/// A component that is moved by hand is elsewhere over a motion too, and so is what rides on it.
+TEST(Design, ShiftsInTheSceneAreTheSameAtRestAndOverAMotion) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> share(-1.0, 1.0);
+  const auto poseOf = [&](double size) {
+    const Eigen::Vector3d place(share(random), share(random), share(random)),
+        axis(share(random), share(random), share(random));
+    return Pose{size * place, Eigen::Quaterniond(Eigen::AngleAxisd(2.0 * share(random), axis.normalized()))};
+  };
+  for (int trial = 0; trial < 40; ++trial) {
+    Design design = strand();
+    Component tool;
+    tool.name = "tool";
+    tool.parent = "holder";
+    tool.pose = poseOf(0.1);
+    design.scene.components.push_back(tool);
+    design.scene.clip_mounts[1].component = "tool";
+    Motion motion;
+    motion.component = trial % 2 == 0 ? "holder" : "tool";
+    motion.samples = {{0.0, poseOf(0.2)}, {1.0, poseOf(0.2)}};
+    design.scene.motions = {motion};
+    if (trial % 3 != 0) setComponentPose(design, "holder", poseOf(0.3));
+    if (trial % 3 != 1) setComponentPose(design, "tool", poseOf(0.3));
+    setNominal(design, "b_x", 0.01 * share(random));
+
+    const Design other = withShiftsInScene(design);
+    EXPECT_TRUE(other.shifts.empty());
+    const auto expectSame = [&](const ComponentPoses& moved, const ComponentPoses& moved_other) {
+      const Pose a = harnessAt(design, {}, placesOf(design, moved)).clips[1].pose;
+      const Pose b = harnessAt(other, {}, moved_other).clips[1].pose;
+      EXPECT_LT((a.position - b.position).norm(), 1e-12) << trial;
+      EXPECT_LT(a.orientation.angularDistance(b.orientation), 1e-7) << trial;
+    };
+    expectSame({}, {});
+    for (const double time : {0.0, 1.0}) {
+      expectSame(posesDuring(design.scene, {&design.scene.motions[0]}, time),
+                 posesDuring(other.scene, {&other.scene.motions[0]}, time));
+    }
+  }
 }
 
 TEST(Design, RefusedEditsChangeNothing) {

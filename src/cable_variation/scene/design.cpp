@@ -125,6 +125,24 @@ ComponentPoses placesOf(const Design& design, const ComponentPoses& moved) {
   return places;
 }
 
+Design withShiftsInScene(Design design) {
+  Scene& scene = design.scene;
+  for (const auto& [name, shift] : design.shifts) {
+    Component& component = scene.components[componentIndex(scene, name)];
+    component.pose = component.pose * shift;
+    for (Motion& motion : scene.motions) {
+      if (motion.component != name) continue;
+      for (TimedPose& sample : motion.samples) sample.pose = sample.pose * shift;
+    }
+  }
+  design.shifts.clear();
+  for (std::size_t i = 0; i < scene.clip_mounts.size(); ++i) {
+    const ClipMount& mount = scene.clip_mounts[i];
+    scene.harness.clips[i].pose = componentPose(scene, mount.component) * mount.pose;
+  }
+  return design;
+}
+
 Scene sceneOf(const Design& design) {
   Scene scene = design.scene;
   const ComponentPoses places = placesOf(design, {});

@@ -23,6 +23,10 @@ ComponentPoses placesOf(const Design& design, const ComponentPoses& moved);
 /// (as harnessAt, which says what it throws).
 Harness harnessAt(const Design& design, const DesignValues& values, const ComponentPoses& moved = {});
 
+/// The same design with the edits of components' places in the poses and motions of its scene, and no shifts:
+/// for what plays motions by itself. Motions and tf of the scene as it was do not fit it.
+Design withShiftsInScene(Design design);
+
 /// A scene of its own that is what the design is: its nominal values and edits are in the poses, lengths and
 /// sections, and no variable is off its nominal value.
 Scene sceneOf(const Design& design);

@@ -68,6 +68,7 @@ EnvelopeRun::EnvelopeRun(Request request, RunLimits limits, EnvelopePublisher& p
 void EnvelopeRun::prepare(const SolverContext& context) {
   task_ = toEnvelopeTask(request_, context.design(), context.moved(), limits_.threads, limits_.memory_limit);
   snapshot_ = context.snapshot();
+  if (!task_.options.motions.empty()) snapshot_.design = withShiftsInScene(std::move(snapshot_.design));
 }
 
 void EnvelopeRun::calculate(RunControl& control) {

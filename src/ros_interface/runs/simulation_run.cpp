@@ -41,6 +41,7 @@ void SimulationRun::prepare(const SolverContext& context) {
   task_ =
       toSimulationTask(request_, context.design(), context.moved(), limits_.threads, limits_.memory_limit);
   snapshot_ = context.snapshot();
+  if (!task_.options.motions.empty()) snapshot_.design = withShiftsInScene(std::move(snapshot_.design));
   evaluator_.emplace(context.evaluator(snapshot_));
 }
 

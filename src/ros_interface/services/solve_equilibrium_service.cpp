@@ -1,19 +1,22 @@
 #include <ros_interface/services/solve_equilibrium_service.h>
 
-#include <numeric>
 #include <sstream>
 
 #include <ros/node_handle.h>
 
 #include <cable_variation/measures/open_parts.h>
 #include <cable_variation/scene/moving_components.h>
+#include <cable_variation/util/chosen_indices.h>
+#include <cable_variation/util/quantity.h>
 #include <ros_interface/context/solver_context.h>
 #include <ros_interface/conversion/measure_conversion.h>
 #include <ros_interface/conversion/message_conversion.h>
 #include <ros_interface/node/names.h>
 #include <ros_interface/request/design_values.h>
 #include <ros_interface/request/name_lookup.h>
+#include <ros_interface/request/name_registry.h>
 #include <ros_interface/request/request_status.h>
+#include <ros_interface/runs/report_file.h>
 
 namespace cable_variation_ros {
 
@@ -24,46 +27,74 @@ using cable_variation::Status;
 
 namespace {
 
-ComponentPoses posesOf(const Scene& scene, const std::string& name, double time) {
+ComponentPoses posesOf(const cable_variation::Design& design, const std::string& name, double time) {
+  const Scene& scene = design.scene;
   const Motion& motion = scene.motions[indexOf(name, scene.motions, "motion")];
   if (!(time >= 0.0 && time <= motion.duration())) {
     std::ostringstream text;
     text << "motion '" << name << "': time " << time << " s, expected 0 to " << motion.duration() << " s";
     throw std::invalid_argument(text.str());
   }
-  return posesDuring(scene, {&motion}, time);
-}
-
-std::vector<std::size_t> allMeasures(const Scene& scene) {
-  std::vector<std::size_t> all(scene.measures.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  return all;
+  return placesOf(design, posesDuring(scene, {&motion}, time));
 }
 
 }  // namespace
 
-SolveEquilibriumService::SolveEquilibriumService(ros::NodeHandle& node, const SolverContext& context)
+SolveEquilibriumService::SolveEquilibriumService(ros::NodeHandle& node, const SolverContext& context,
+                                                 const OutputDirectory& output, NameRegistry& names)
     : context_(context),
+      output_(output),
+      names_(names),
       server_(node.advertiseService(kSolveEquilibriumService, &SolveEquilibriumService::handle, this)) {}
 
 bool SolveEquilibriumService::handle(Request& request, Response& response) {
-  const Status status = runRequest([&] {
-    const Scene& scene = context_.design().scene;
-    const cable_variation::DesignValues values = toDesignValues(scene, request.variables, request.values);
-    const ComponentPoses moved =
-        request.motion.empty() ? context_.moved() : posesOf(scene, request.motion, request.time);
-    const SolverContext::Trial trial = context_.solve(values, moved, request.follow);
-    Response answer = toResponse(trial.equilibrium, trial.harness);
-    const std::vector<std::size_t> all = allMeasures(scene);
-    const std::vector<cable_variation::MeasureValue> measured = context_.measure(trial, all);
-    for (const std::size_t i : all)
-      answer.measures.push_back(toResult(scene.measures[i], measured[i], scene));
-    for (std::string& warning : openPartWarnings(scene, context_.parts(), componentsMeasured(scene, all)))
-      answer.warnings.push_back(std::move(warning));
+  Response answer;
+  const Status status = runRequest([&] { answer = solve(request); });
+  if (status.code == Status::SUCCESS) {
     response = std::move(answer);
-  });
-  response.status = status;
+  } else {
+    response.status = status;
+  }
   return true;
+}
+
+SolveEquilibriumService::Response SolveEquilibriumService::solve(const Request& request) {
+  if (!request.report.empty()) OutputDirectory::checkName(request.report);
+  const NameRegistry::Hold hold(names_, "report", request.report, kSolveEquilibriumService);
+  const Scene& scene = context_.design().scene;
+  const cable_variation::DesignValues values = toDesignValues(scene, request.variables, request.values);
+  const ComponentPoses moved =
+      request.motion.empty() ? context_.moved() : posesOf(context_.design(), request.motion, request.time);
+  const SolverContext::Trial trial = context_.solve(values, moved, request.follow);
+  Response response = toResponse(trial.equilibrium, trial.harness);
+  const std::vector<std::size_t> all = cable_variation::allIndices(scene.measures.size());
+  const std::vector<cable_variation::MeasureValue> measured = context_.measure(trial, all);
+  for (const std::size_t i : all)
+    response.measures.push_back(toResult(scene.measures[i], measured[i], scene));
+  for (std::string& warning : openPartWarnings(scene, context_.parts(), componentsMeasured(scene, all)))
+    response.warnings.push_back(std::move(warning));
+  if (!request.report.empty()) writeReport(request, trial, values, measured, response);
+  return response;
+}
+
+void SolveEquilibriumService::writeReport(const Request& request, const SolverContext::Trial& trial,
+                                          const cable_variation::DesignValues& values,
+                                          const std::vector<cable_variation::MeasureValue>& measured,
+                                          Response& response) const {
+  const Scene& scene = context_.design().scene;
+  cable_variation::DesignValues all = values;
+  all.insert(context_.design().shifted.begin(), context_.design().shifted.end());
+  const cable_variation::SolvedScene solved{trial.harness, trial.equilibrium, trial.components};
+  cable_variation::Review review = startReview("Equilibrium", context_.origin(), scene, all, solved);
+  if (!request.motion.empty()) {
+    review.about = {{"Motion", request.motion + " at " + cable_variation::shortNumber(request.time) + " s"}};
+  }
+  review.measures = cable_variation::allIndices(scene.measures.size());
+  for (std::string& warning :
+       openPartWarnings(scene, context_.parts(), componentsMeasured(scene, review.measures)))
+    review.warnings.push_back(std::move(warning));
+  review.measured = measured;
+  response.report_file = writeBeside(output_, request.report, ".html", reviewPage(review), response.status);
 }
 
 }  // namespace cable_variation_ros

@@ -4,6 +4,7 @@
 
 #include <QComboBox>
 #include <QFormLayout>
+#include <QLineEdit>
 #include <QTabWidget>
 #include <QVBoxLayout>
 
@@ -32,6 +33,7 @@ std::vector<ResultCell> reactionRow(const std::string& what, const geometry_msgs
 EquilibriumPage::EquilibriumPage(SolverConnection& solver, QWidget* parent)
     : AnalysisPage(solver, parent),
       from_(new QComboBox),
+      report_(new QLineEdit),
       cables_(new ResultModel(this)),
       reactions_(new ResultModel(this)) {
   from_->addItem("from nothing: the shape of lowest energy");
@@ -40,6 +42,10 @@ EquilibriumPage::EquilibriumPage(SolverConnection& solver, QWidget* parent)
   auto* form = new QFormLayout;
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   form->addRow("Search", from_);
+  report_->setObjectName("name");
+  report_->setPlaceholderText("no file");
+  report_->setToolTip("A name without a folder: NAME.html goes to the solver's output folder");
+  form->addRow("Report", report_);
   optionsLayout()->addLayout(form);
   auto* tabs = new QTabWidget;
   for (const auto& [name, model] :
@@ -54,11 +60,12 @@ EquilibriumPage::EquilibriumPage(SolverConnection& solver, QWidget* parent)
 void EquilibriumPage::start() {
   cable_variation::SolveEquilibriumRequest request;
   request.follow = from_->currentIndex() == 1;
+  request.report = report_->text().trimmed().toStdString();
   Q_EMIT progressed(-1.0, "solving", -1.0);
   solver_.ask<cable_variation::SolveEquilibrium>(
       service("solve_equilibrium"), request, "",
       [this](const SolveEquilibriumResponse& answer, const std::string& failure) {
-        if (failure.empty()) show(answer);
+        if (!answer.shapes.empty()) show(answer);  // a file that was not written leaves the figures
         Q_EMIT ended(QString::fromStdString(failure));
       });
 }
@@ -90,7 +97,7 @@ void EquilibriumPage::show(const SolveEquilibriumResponse& answer) {
                QString::fromStdString(displayValue(answer.residual, "N", 2)))
           .arg(answer.alternatives.size())
           .arg(1e3 * answer.solve_time, 0, 'g', 3)};
-  setSummary(summaryLines(lines, answer.warnings, {}));
+  setSummary(summaryLines(lines, answer.warnings, {answer.report_file}));
 }
 
 }  // namespace cable_variation_rviz

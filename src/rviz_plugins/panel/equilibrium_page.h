@@ -7,6 +7,7 @@
 #endif
 
 class QComboBox;
+class QLineEdit;
 
 namespace cable_variation_rviz {
 
@@ -25,6 +26,7 @@ class EquilibriumPage : public AnalysisPage {
   void show(const cable_variation::SolveEquilibriumResponse& answer);
 
   QComboBox* from_;
+  QLineEdit* report_;
   ResultModel* cables_;
   ResultModel* reactions_;
 };
