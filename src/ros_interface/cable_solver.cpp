@@ -27,6 +27,7 @@ void warnOfDriven(const cable_variation::Scene& scene) {
 CableSolver::CableSolver(ros::NodeHandle node, const CableSolverParameters& parameters)
     : node_(std::move(node)),
       context_(loadScene(parameters.scene, parameters.limits), parameters.limits),
+      state_(node_, parameters.state_file, parameters.scene),
       measured_(context_),
       spinning_(*ros::getGlobalCallbackQueue()),
       interference_(node_),
@@ -63,6 +64,7 @@ CableSolver::CableSolver(ros::NodeHandle node, const CableSolverParameters& para
                           }),
       simulate_variation_action_(node_, kSimulateVariationAction, simulations_) {
   context_.setAuthor(parameters.author);
+  state_.restore(context_);
   if (parameters.interactive) {
     drags_ = std::make_unique<DragServer>(
         node_, context_, [this](const std::vector<std::string>& variables) { analyse(variables); });
@@ -130,6 +132,7 @@ void CableSolver::show() {
   check_forbidden_region_.contextChanged();
   if (drags_) drags_->contextChanged();
   diagnostics_.contextChanged();
+  state_.contextChanged(context_);
 }
 
 }  // namespace cable_variation_ros

@@ -14,6 +14,7 @@
 #include <ros_interface/context/measured_shape.h>
 #include <ros_interface/context/solver_context.h>
 #include <ros_interface/context/solver_diagnostics.h>
+#include <ros_interface/context/state_file.h>
 #include <ros_interface/display/clip_frames.h>
 #include <ros_interface/display/design_publisher.h>
 #include <ros_interface/display/envelope_publisher.h>
@@ -66,6 +67,7 @@ class CableSolver {
 
   ros::NodeHandle node_;
   SolverContext context_;
+  StateFile state_;
   MeasuredShape measured_;
   SpinningThread spinning_;
   NameRegistry names_;

@@ -18,11 +18,10 @@ from actionlib_msgs.msg import GoalStatus
 from cable_variation.msg import EnvelopeMesh, GenerateEnvelopeAction, GenerateEnvelopeGoal, Status
 from cable_variation.srv import (AnalyzeStability, CheckForbiddenRegion, GenerateEnvelope, LoadScene, SetDesign,
                                  SimulateVariation, SolveEquilibrium)
-from node_client import NodeTest, xyz
+from node_client import DATA, NodeTest, large_scene, xyz
 from std_srvs.srv import Trigger
 from visualization_msgs.msg import Marker, MarkerArray
 
-DATA = 'package://cable_variation/test/ros/data/'
 RADIUS = 0.004  # of the strand [m]
 ENDLESS = dict(variables=['*'], motions=['sway'], verification_shapes=10000000)  # minutes at least
 # The action's answer to a cancel has to come while a person thinks it comes at once [s].
@@ -46,17 +45,6 @@ def volume(mesh):
     points = vertices(mesh)
     corners = points[numpy.array([each.vertex_indices for each in mesh.triangles])]
     return numpy.einsum('ij,ij->i', corners[:, 0], numpy.cross(corners[:, 1], corners[:, 2])).sum() / 6
-
-
-def large_scene(clips=1500):
-    """A scene that takes a second or more to load: a straight cable held by many clips."""
-    lines = ['materials: {bundle: {young_modulus: 1.0e8, poisson_ratio: 0.25, density: 2000}}',
-             'cables: [{name: strand, length: %g, section: {type: solid, radius: 2 mm, material: bundle}}]' %
-             (0.1 * (clips - 1)), 'clips:']
-    for i in range(clips):
-        at = {0: 'start', clips - 1: 'end'}.get(i, '%g' % (0.1 * i))
-        lines.append('  - {name: C%d, type: fixed, cable: strand, at: %s, pose: {position: [%g, 0, 0]}}' % (i, at, 0.1 * i))
-    return '\n'.join(lines)
 
 
 def cpu_time(pid):

@@ -1,11 +1,20 @@
 """What the tests of the nodes share."""
+import os
+import signal
+import subprocess
 import time
 import unittest
+import xmlrpc.client
 
 import actionlib
+import roslib.packages
+import rosgraph
 import rospy
 import tf2_ros
 from cable_variation.msg import Status
+
+
+DATA = 'package://cable_variation/test/ros/data/'
 
 
 class NodeTest(unittest.TestCase):
@@ -45,6 +54,33 @@ class NodeTest(unittest.TestCase):
             time.sleep(0.005)
         return False
 
+    def start_solver(self, name, scene=DATA + 'envelope.yaml', **parameters):
+        """A solver of its own with that name, up; ended with the test."""
+        program = roslib.packages.find_node('cable_variation', 'cable_solver')[0]
+        process = subprocess.Popen([program, '__name:=' + name, '_scene:=' + scene] +
+                                   ['_%s:=%s' % each for each in parameters.items()])
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        rospy.wait_for_service('/%s/get_scene' % name, timeout=self.TIMEOUT)
+        return process
+
+    def pid(self, node):
+        """Of a node that answers."""
+        def ask():
+            try:
+                api = rosgraph.Master(rospy.get_name()).lookupNode(node)
+                code, _, number = xmlrpc.client.ServerProxy(api).getPid(rospy.get_name())
+                return number if code == 1 else None
+            except (OSError, rosgraph.MasterException):
+                return None
+        return self.eventually(ask, '%s answers' % node)
+
+    def kill(self, node):
+        """Ends a node without a word to it; its process id."""
+        number = self.pid(node)
+        os.kill(number, signal.SIGKILL)
+        return number
+
     def transform(self, parent, frame):
         def lookup():
             try:
@@ -64,3 +100,14 @@ class NodeTest(unittest.TestCase):
 
 def xyz(vector):
     return (vector.x, vector.y, vector.z)
+
+
+def large_scene(clips=1500):
+    """A scene that takes a second or more to load: a straight cable held by many clips."""
+    lines = ['materials: {bundle: {young_modulus: 1.0e8, poisson_ratio: 0.25, density: 2000}}',
+             'cables: [{name: strand, length: %g, section: {type: solid, radius: 2 mm, material: bundle}}]' %
+             (0.1 * (clips - 1)), 'clips:']
+    for i in range(clips):
+        at = {0: 'start', clips - 1: 'end'}.get(i, '%g' % (0.1 * i))
+        lines.append('  - {name: C%d, type: fixed, cable: strand, at: %s, pose: {position: [%g, 0, 0]}}' % (i, at, 0.1 * i))
+    return '\n'.join(lines)

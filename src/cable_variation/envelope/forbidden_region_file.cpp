@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include <cable_variation/util/encoded_word.h>
 #include <cable_variation/util/error.h>
 #include <cable_variation/util/input_limits.h>
 #include <cable_variation/util/number_text.h>
@@ -16,25 +17,6 @@ namespace cable_variation {
 namespace {
 
 constexpr char kFirstLine[] = "# cable_variation forbidden region, version 1";
-
-bool isPlain(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-' ||
-         c == '.';
-}
-
-std::string encoded(const std::string& name) {
-  constexpr char kDigits[] = "0123456789ABCDEF";
-  std::string plain;
-  for (const char c : name) {
-    if (isPlain(c)) {
-      plain += c;
-    } else {
-      const auto byte = static_cast<unsigned char>(c);
-      plain += {'%', kDigits[byte / 16], kDigits[byte % 16]};
-    }
-  }
-  return plain;
-}
 
 class Reader {
  public:
@@ -179,21 +161,12 @@ class Reader {
     return value;
   }
 
-  std::string decoded(const std::string& plain) const {
-    std::string name;
-    for (std::size_t i = 0; i < plain.size(); ++i) {
-      if (plain[i] != '%') {
-        name += plain[i];
-        continue;
-      }
-      unsigned byte = 0;
-      const std::string digits = plain.substr(i + 1, 2);
-      const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), byte, 16);
-      if (error != std::errc() || end != digits.data() + 2) fail("name '" + plain + "': expected %XX");
-      name += static_cast<char>(byte);
-      i += 2;
+  std::string decoded(const std::string& word) const {
+    try {
+      return decodedWord(word);
+    } catch (const std::invalid_argument& error) {
+      fail(error.what());
     }
-    return name;
   }
 
   std::istringstream text_;
@@ -216,7 +189,7 @@ std::string regionText(const ForbiddenRegion& region) {
   std::ostringstream text;
   text << kFirstLine << '\n'
        << "# All within its radius r of an object is forbidden. Lengths in metres, times in seconds.\n"
-       << "# frame " << encoded(region.frame) << '\n'
+       << "# frame " << encodedWord(region.frame) << '\n'
        << "# inflation " << numberText(region.inflation) << '\n'
        << "# probability " << numberText(region.probability) << '\n'
        << "# shapes " << region.shapes << '\n'
@@ -224,7 +197,7 @@ std::string regionText(const ForbiddenRegion& region) {
        << "# pieces " << region.pieces.size() << '\n';
   std::size_t first = 1;
   for (const ForbiddenRegion::Piece& piece : region.pieces) {
-    text << "o cable=" << encoded(piece.cable) << ";s=" << numberText(piece.start) << ".."
+    text << "o cable=" << encodedWord(piece.cable) << ";s=" << numberText(piece.start) << ".."
          << numberText(piece.end) << ";t=" << numberText(piece.from) << ".." << numberText(piece.to)
          << ";branch=" << piece.branch << ";r=" << numberText(piece.body.radius) << '\n';
     const TriangleMesh& surface = piece.body.core.surface();

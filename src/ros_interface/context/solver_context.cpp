@@ -85,13 +85,28 @@ void SolverContext::load(Scene scene) {
   EquilibriumSolver solver = newSolver(design.scene);
   Equilibrium equilibrium = solver.solve(harness);
   requireConverged(equilibrium);
-  loaded_ = design.scene;
+  replaceScene(design.scene, std::move(text));
+  ++loads_;
+  take(std::move(solver), std::move(design), std::move(harness), std::move(equilibrium), false);
+}
+
+void SolverContext::restore(Scene loaded, cable_variation::SavedDesign saved) {
+  std::string text = textOf(loaded, limits_);
+  Harness harness = harnessAt(saved.design, {}, placesOf(saved.design, {}));
+  EquilibriumSolver solver = newSolver(loaded);
+  Equilibrium equilibrium = solveSaved(solver, harness, saved.shape);
+  requireConverged(equilibrium);
+  if (loaded.source != loaded_.source) ++loads_;
+  replaceScene(std::move(loaded), std::move(text));
+  take(std::move(solver), std::move(saved.design), std::move(harness), std::move(equilibrium), true);
+}
+
+void SolverContext::replaceScene(Scene loaded, std::string text) {
+  loaded_ = std::move(loaded);
   loaded_text_ = std::move(text);
   on_tf_.clear();
   moved_.clear();
   evaluator_.reset();
-  ++loads_;
-  take(std::move(solver), std::move(design), std::move(harness), std::move(equilibrium), false);
 }
 
 void SolverContext::reset() {

@@ -12,6 +12,7 @@
 #include <cable_variation/sensitivity/stability_analysis.h>
 #include <cable_variation/tolerances/varied_design.h>
 #include <cable_variation/tracking/clip_attachment.h>
+#include <cable_variation/tracking/saved_design.h>
 #include <cable_variation/util/input_limits.h>
 
 namespace cable_variation_ros {
@@ -91,6 +92,8 @@ class SolverContext {
 
   /// Another scene, solved from nothing.
   void load(cable_variation::Scene scene);
+  /// A design that was in force before, of the scene `loaded`, in the shape that it had.
+  void restore(cable_variation::Scene loaded, cable_variation::SavedDesign saved);
   /// The scene as loaded, solved from nothing.
   void reset();
   /// An edited design; the shape is followed to it, or solved from nothing if it cannot be.
@@ -141,6 +144,7 @@ class SolverContext {
   void take(cable_variation::EquilibriumSolver solver, cable_variation::Design design,
             cable_variation::Harness harness, cable_variation::Equilibrium equilibrium, bool edited,
             std::optional<cable_variation::AttachedClips> attachment = {});
+  void replaceScene(cable_variation::Scene loaded, std::string text);
   void notify();
   const cable_variation::MeasureEvaluator& preparedEvaluator(const cable_variation::SolvedScene& any) const;
   std::vector<cable_variation::MeasureValue> measure(const cable_variation::SolvedScene& at,

@@ -1,6 +1,7 @@
 #include <ros_interface/node/node_parameters.h>
 
 #include <cmath>
+#include <filesystem>
 #include <sstream>
 #include <stdexcept>
 
@@ -33,6 +34,10 @@ class ParameterReader {
 
   void optional(const std::string& name, std::string& value) {
     if (node_.hasParam(name)) required(name, value);
+  }
+
+  void optionalOrEmpty(const std::string& name, std::string& value) {
+    if (node_.hasParam(name) && !node_.getParam(name, value)) fault(name, "expected a string");
   }
 
   void optionalPositive(const std::string& name, double& value, double upper) {
@@ -176,20 +181,25 @@ MovingGeometryParameters readMovingGeometryParameters(const ros::NodeHandle& nod
 }
 
 CableSolverParameters readCableSolverParameters(const ros::NodeHandle& node) {
-  return readParameters<CableSolverParameters>(
-      node, [](ParameterReader& reader, CableSolverParameters& parameters) {
-        reader.required("scene", parameters.scene);
-        reader.optional("live", parameters.live);
-        reader.optionalPositive("live_rate", parameters.live_rate_hz, kHighestRate);
-        reader.optionalPositive("tf_timeout", parameters.tf_timeout, kLongestTimeout);
-        reader.optional("interactive", parameters.interactive);
-        reader.optional("live_topics", parameters.live_topics);
-        reader.optionalCount("threads", parameters.threads, kMostThreads);
-        reader.optionalPositive("memory_limit", parameters.memory_limit, kMostMemory);
-        reader.optional("output_directory", parameters.output_directory);
-        reader.optional("author", parameters.author);
-        reader.optionalLimits(parameters.limits);
-      });
+  return readParameters<CableSolverParameters>(node, [](ParameterReader& reader,
+                                                        CableSolverParameters& parameters) {
+    reader.required("scene", parameters.scene);
+    reader.optional("live", parameters.live);
+    reader.optionalPositive("live_rate", parameters.live_rate_hz, kHighestRate);
+    reader.optionalPositive("tf_timeout", parameters.tf_timeout, kLongestTimeout);
+    reader.optional("interactive", parameters.interactive);
+    reader.optional("live_topics", parameters.live_topics);
+    reader.optionalCount("threads", parameters.threads, kMostThreads);
+    reader.optionalPositive("memory_limit", parameters.memory_limit, kMostMemory);
+    reader.optional("output_directory", parameters.output_directory);
+    reader.optionalOrEmpty("state_file", parameters.state_file);
+    if (!parameters.state_file.empty()) {
+      // a relative one is in the output directory
+      parameters.state_file = std::filesystem::absolute(parameters.output_directory) / parameters.state_file;
+    }
+    reader.optional("author", parameters.author);
+    reader.optionalLimits(parameters.limits);
+  });
 }
 
 }  // namespace cable_variation_ros

@@ -39,7 +39,8 @@ struct CableSolverParameters {
   double memory_limit = 2e9;    ///< for one envelope or simulation [B]
   /// Where files are written; made when there is something to write.
   std::string output_directory = defaultOutputDirectory();
-  std::string author;                   ///< named in reports; empty: not
+  std::string state_file;  ///< where what is in force is kept for the next start; empty: it is not
+  std::string author;      ///< named in reports; empty: not
   cable_variation::InputLimits limits;  ///< of files that are read
 };
 
