@@ -1,12 +1,18 @@
 // Samples written as they come: complete, or marked as partial; a disk that fills is an error.
 #include <cable_variation/report/sample_csv.h>
 
+#include <cerrno>
+#include <csignal>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+
+#include <sys/resource.h>
+#include <sys/stat.h>
 
 #include <gtest/gtest.h>
 
@@ -84,16 +90,39 @@ TEST_F(SampleCsvTest, AnEndedOneIsOnTheDiskOrAnError) {
   EXPECT_NE(contentsOf(path_ + ".partial").find("0,solved,"), std::string::npos);
   EXPECT_THROW(ended.add(1, SampleOutcome::solved, &zero, &zero), std::logic_error);
 
-  fs::remove(path_ + ".partial");
-  fs::create_symlink("/dev/full", path_ + ".partial");
+  const auto before = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit old{};
+  getrlimit(RLIMIT_FSIZE, &old);
+  const rlimit few{10, old.rlim_max};  // [B]
   SampleCsv full = csv();
   full.add(0, SampleOutcome::solved, &zero, &zero);  // not more than fits into the buffer
+  setrlimit(RLIMIT_FSIZE, &few);
+  std::string said;
   try {
     full.stop();
-    FAIL();
   } catch (const FileError& error) {
-    EXPECT_NE(std::string(error.what()).find("No space left on device"), std::string::npos) << error.what();
+    said = error.what();
   }
+  setrlimit(RLIMIT_FSIZE, &old);
+  std::signal(SIGXFSZ, before);
+  EXPECT_NE(said.find(std::strerror(EFBIG)), std::string::npos) << said;
+}
+
+// What stands in the file's place is replaced, not opened: a link leads nowhere, nobody waits for a pipe.
+TEST_F(SampleCsvTest, LinksAndPipesInItsPlaceAreReplaced) {
+  const double zero = 0.0;
+  const fs::path elsewhere = folder_ / "elsewhere";
+  std::ofstream(elsewhere) << "kept";
+  fs::create_symlink(elsewhere, path_ + ".partial");
+  for (int i = 0; i < 2; ++i) {
+    SampleCsv samples = csv();
+    samples.add(0, SampleOutcome::solved, &zero, &zero);
+    samples.finish();
+    EXPECT_EQ(fs::symlink_status(path_).type(), fs::file_type::regular);
+    EXPECT_NE(contentsOf(path_).find("0,solved,"), std::string::npos);
+    ASSERT_EQ(mkfifo((path_ + ".partial").c_str(), 0600), 0);
+  }
+  EXPECT_EQ(contentsOf(elsewhere.string()), "kept");
 }
 
 TEST_F(SampleCsvTest, AFolderThatIsNotThereIsAnError) {

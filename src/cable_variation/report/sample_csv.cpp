@@ -18,11 +18,19 @@ namespace cable_variation {
 
 namespace {
 
+// A link or a pipe in the file's place goes: it is not to lead elsewhere, and nobody is to wait for it.
+void clearWay(const std::string& path) {
+  struct stat there = {};
+  if (::lstat(path.c_str(), &there) == 0 && !S_ISREG(there.st_mode) && !S_ISDIR(there.st_mode))
+    ::unlink(path.c_str());
+}
+
 // Opens a file for this run alone, empty: a run of another process that writes it keeps it. -1: errno says.
 int openAlone(const std::string& path) {
   constexpr mode_t kAll = 0666;  // less what the process's mask takes away
   for (;;) {
-    const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, kAll);
+    clearWay(path);
+    const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, kAll);
     if (file < 0) return -1;
     struct stat opened = {}, named = {};
     const bool alone = ::flock(file, LOCK_EX | LOCK_NB) == 0 && ::fstat(file, &opened) == 0;

@@ -1,0 +1,85 @@
+#!/usr/bin/env python3
+"""A hundred clients at once: none is refused, none is answered wrongly; and quick answers while an envelope is made."""
+import sys
+import threading
+import time
+
+import actionlib
+import rospy
+import rostest
+from actionlib_msgs.msg import GoalStatus
+from cable_variation.msg import GenerateEnvelopeAction, GenerateEnvelopeGoal, Status
+from cable_variation.srv import AnalyzeStability, GetScene, SolveEquilibrium
+from node_client import NodeTest, xyz
+
+CLIENTS = 100
+ROUNDS = 3  # of each
+
+
+def places(answer):
+    return [xyz(section.position) for section in answer.shapes[0].section]
+
+
+class ManyClientsTest(NodeTest):
+    def setUp(self):
+        self.solve = self.service('/cable_solver/solve_equilibrium', SolveEquilibrium)
+
+    def test_a_hundred_at_once_are_answered_as_one(self):
+        values = [1e-4 * (i - CLIENTS // 2) for i in range(CLIENTS)]
+        start = time.time()
+        alone = [places(self.solve(variables=['b_z'], values=[value])) for value in values]
+        single = (time.time() - start) / CLIENTS
+        answers = [[] for _ in values]
+        times = []
+        begin = threading.Barrier(CLIENTS)
+
+        def ask(i):
+            proxy = rospy.ServiceProxy('/cable_solver/solve_equilibrium', SolveEquilibrium)
+            begin.wait()
+            for _ in range(ROUNDS):
+                start = time.time()
+                answers[i].append(proxy(variables=['b_z'], values=[values[i]]))
+                times.append(time.time() - start)
+        threads = [threading.Thread(target=ask, args=(i,)) for i in range(CLIENTS)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        for mine, right in zip(answers, alone):
+            self.assertEqual(len(mine), ROUNDS)
+            for answer in mine:
+                self.assertSuccess(answer.status)
+                self.assertEqual(places(answer), right)
+        print('one alone %.1f ms, 95 %% of a hundred at once within %.0f ms' % (
+            1e3 * single, 1e3 * sorted(times)[int(0.95 * len(times))]))
+
+    def test_quick_answers_while_an_envelope_is_made(self):
+        def latencies():
+            times = []
+            for i in range(50):
+                start = time.time()
+                self.assertSuccess(self.solve(variables=['b_z'], values=[1e-4 * (i - 25)]).status)
+                self.service('/cable_solver/get_scene', GetScene)()
+                self.assertSuccess(self.service('/cable_solver/analyze_stability', AnalyzeStability)().status)
+                times.append(time.time() - start)
+            return sorted(times)
+        before = latencies()
+        client = actionlib.SimpleActionClient('/cable_solver/generate_envelope_action', GenerateEnvelopeAction)
+        self.assertTrue(client.wait_for_server(rospy.Duration(self.TIMEOUT)))
+        told = []
+        client.send_goal(GenerateEnvelopeGoal(variables=['*'], motions=['sway'], verification_shapes=10000000),
+                         feedback_cb=told.append)
+        self.eventually(lambda: told and told[-1].solves > 0, 'progress')
+        meanwhile = latencies()
+        self.assertEqual(client.get_state(), GoalStatus.ACTIVE)
+        client.cancel_goal()
+        self.assertTrue(self.finished(client))
+        self.assertEqual(client.get_result().status.code, Status.CANCELLED)
+        print('three services, median and 95 %%: alone %.1f and %.1f ms, meanwhile %.1f and %.1f ms' % tuple(
+            1e3 * times[int(share * len(times))] for times in (before, meanwhile) for share in (0.5, 0.95)))
+        self.assertLess(meanwhile[-1], 5)
+
+
+if __name__ == '__main__':
+    rospy.init_node('many_clients_test')
+    rostest.rosrun('cable_variation', 'many_clients', ManyClientsTest, sys.argv)
