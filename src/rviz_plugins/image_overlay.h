@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include <rviz_plugins/image_texture.h>
+
 class QImage;
 
 namespace Ogre {
@@ -30,12 +32,11 @@ class ImageOverlay {
   void place();
 
   std::string name_;  ///< of all its Ogre resources
+  ImageTexture texture_;
   Ogre::Overlay* overlay_;
   Ogre::PanelOverlayElement* panel_;
   Corner corner_ = Corner::top_right;
   int margin_ = 10;  ///< [px]
-  int width_ = 0;    ///< [px]
-  int height_ = 0;   ///< [px]
 };
 
 }  // namespace cable_variation_rviz

@@ -8,7 +8,6 @@
 #include <QLocale>
 #include <QPainter>
 
-#include <ros_interface/markers/colour_map.h>
 #include <rviz_plugins/ticks.h>
 
 namespace cable_variation_rviz {
@@ -71,11 +70,11 @@ class Column {
   int height_ = 0;
 };
 
-void drawBar(QPainter& painter, const QRect& bar, const cable_variation::Legend& legend) {
-  const cable_variation_ros::ColourScale scale(0.0, std::max(1, bar.height() - 1));
+void drawBar(QPainter& painter, const QRect& bar, const cable_variation::Legend& legend, ColourMap map) {
   for (int row = 0; row < bar.height(); ++row) {
     const bool flat = !(legend.maximum > legend.minimum);
-    const Eigen::Vector3d color = scale(flat ? 0.0 : bar.height() - 1 - row);
+    const Eigen::Vector3d color =
+        mapped(map, flat ? 0.0 : bar.height() - 1 - row, 0.0, std::max(1, bar.height() - 1));
     painter.fillRect(bar.left(), bar.top() + row, bar.width(), 1,
                      QColor::fromRgbF(color[0], color[1], color[2]));
   }
@@ -83,7 +82,8 @@ void drawBar(QPainter& painter, const QRect& bar, const cable_variation::Legend&
 
 }  // namespace
 
-QImage legendImage(const cable_variation::Legend& legend, int text_height) {
+QImage legendImage(const cable_variation::Legend& legend, int text_height, ColourMap map,
+                   const QString& origin) {
   QFont font;
   font.setPixelSize(text_height);
   QFont bold = font, small = font;
@@ -95,7 +95,7 @@ QImage legendImage(const cable_variation::Legend& legend, int text_height) {
   Column head(kWidestText * text_height, gap / 2), foot(kWidestText * text_height, gap / 2);
   head.add(QString::fromStdString(legend.title), bold);
   head.add(unitText(legend), font);
-  foot.add(originText(legend), small);
+  foot.add(origin.isEmpty() ? originText(legend) : origin, small);
   foot.add(QString::fromStdString(legend.note), small);
 
   const std::vector<Tick> numbers = ticks(legend.minimum, legend.maximum, kMostInnerTicks);
@@ -121,7 +121,7 @@ QImage legendImage(const cable_variation::Legend& legend, int text_height) {
   painter.setPen(kText);
   head.draw(painter, gap, gap);
   foot.draw(painter, gap, foot_top);
-  drawBar(painter, bar, legend);
+  drawBar(painter, bar, legend, map);
 
   painter.setFont(font);
   const double range = legend.maximum - legend.minimum;
