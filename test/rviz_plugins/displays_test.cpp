@@ -50,18 +50,28 @@ class DisplaysTest : public testing::Test {
     display->subProp("Topic")->setValue(topic);
     view_->showOnly(display);
     QApplication::processEvents();  // what it tells of its topic comes then
+    eventually([&] { return hasHeard(*display); }, 10000);
     return display;
   }
   template <typename Message>
   rviz::Display* onlyWith(const char* class_name, const Message& message) {
-    rviz::Display* display = only(class_name, QString("/displays_test/") + class_name);
-    sender_ = node_.advertise<Message>(std::string("/displays_test/") + class_name, 1, true);
+    static int number = 0;  // a topic of its own for each test
+    const std::string topic = "/displays_test/topic_" + std::to_string(number++);
+    sender_ = node_.advertise<Message>(topic, 1, true);
     sender_.publish(message);
-    if (display != nullptr) eventually([&] { return !statusOf(*display).startsWith("no message"); }, 10000);
+    rviz::Display* display = only(class_name, QString::fromStdString(topic));
     return display;
   }
   static QString statusOf(rviz::Display& display) {
-    return display.subProp("Status")->subProp("Topic")->getValue().toString();
+    for (int i = 0; i < display.numChildren(); ++i) {
+      rviz::Property& child = *display.childAt(i);  // its name tells the level too
+      if (child.getName().startsWith("Status")) return child.subProp("Topic")->getValue().toString();
+    }
+    return "";
+  }
+  static bool hasHeard(rviz::Display& display) {
+    const QString status = statusOf(display);
+    return !status.isEmpty() && !status.startsWith("no message");
   }
   /// For a person who wants to look: into the folder $REVIEW_PICTURES.
   static QImage shot(const char* name) {
@@ -132,7 +142,7 @@ TEST_F(DisplaysTest, CablesHaveTheColoursOfTheLegendWhereTheyFaceTheCamera) {
   rviz::Display* cables = only("cable_variation/Cables", "/cable_solver/tubes");
   ASSERT_NE(cables, nullptr);
   cables->subProp("Quantity")->setValue("curvature");
-  view_->look({0.405, 0.33, 0.415}, 0.44, 0.62, 0.22);
+  view_->look({0.405, 0.33, 0.415}, 0.8, 0.62, 0.22);
   const QImage image = shot("curvature");
   int right = 0, all = 0;
   for (const CableTube& tube : heard_->cables) {
@@ -278,7 +288,7 @@ TEST_F(DisplaysTest, LabelsDoNotCoverEachOtherAndAreReadable) {
 TEST_F(DisplaysTest, TheSolversLabelsAreShown) {
   const auto* labels = dynamic_cast<LabelsDisplay*>(only("cable_variation/Labels", "/cable_solver/labels"));
   ASSERT_NE(labels, nullptr);
-  view_->look({0.405, 0.33, 0.415}, 0.44, 0.62, 0.22);
+  view_->look({0.405, 0.33, 0.415}, 0.8, 0.62, 0.22);
   EXPECT_TRUE(eventually([&] {
     return std::count_if(labels->boxes().begin(), labels->boxes().end(),
                          [](const auto& box) { return box.has_value(); }) >= 4;

@@ -19,7 +19,7 @@
 #include <QImage>
 #include <QtTest/QTest>
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 namespace cable_variation_rviz {
 
