@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Nodes that are started wrongly say all that is wrong and end with code 1."""
+"""Nodes that are started wrongly say all that is wrong and end with code 1; asked for help, they give it."""
+import os
 import subprocess
 import sys
 import unittest
@@ -43,6 +44,17 @@ class BadStartTest(unittest.TestCase):
         self.assertEnds(run('cable_solver', ('scene', DATA + 'strand.yaml'), ('live_rate', '50'), ('threads', '-1')),
                         'threads is -1, expected 0')
         self.assertEnds(run('cable_solver', ('threads', 'many')), 'threads expected a whole number')
+
+    def test_help_takes_no_master(self):
+        environment = dict(os.environ, ROS_MASTER_URI='http://localhost:1')
+        for node in NODES:
+            program = roslib.packages.find_node('cable_variation', node)[0]
+            for option in ('--help', '-h'):
+                result = subprocess.run([program, option], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=20,
+                                        universal_newlines=True, env=environment)
+                self.assertEqual(result.returncode, 0, result.stdout)
+                self.assertIn('usage: %s [_PARAMETER:=VALUE ...]' % node, result.stdout)
+                self.assertIn('  scene ', result.stdout)
 
     def test_a_broken_recording(self):
         self.assertEnds(run('moving_geometry_node', ('scene', DATA + 'broken_bag.yaml')),
