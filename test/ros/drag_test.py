@@ -24,9 +24,19 @@ class DragTest(NodeTest):
         self.reset = self.service('/cable_solver/reset_design', Trigger)
         self.assertTrue(self.reset().success)
         self.eventually(lambda: self.publisher.get_num_connections() > 0, 'the solver hears feedback')
+        self.eventually(self.markers_are_at_their_clips, 'markers follow the reset')
 
     def markers(self):
         return {each.name: each for each in self.latched(INTERACTION + 'update_full', InteractiveMarkerInit).markers}
+
+    def markers_are_at_their_clips(self):
+        markers = self.markers()
+        for clip in self.get_scene().clips:
+            marker = markers.get('clip/' + clip.name)
+            if not marker or any(abs(a - b) > 1e-6 for a, b in zip(xyz(marker.pose.position),
+                                                                  xyz(clip.world_pose.position))):
+                return False
+        return True
 
     def marker(self, name):
         return self.eventually(lambda: self.markers().get(name), 'the marker ' + name)

@@ -86,7 +86,9 @@ TEST(MeshSurfaces, AreSmoothOverFlatEdgesAndLeaveOutFlatTriangles) {
   EXPECT_EQ(surface.triangles.size(), 12U);
   EXPECT_EQ(surface.positions.size(), 6U);
   for (std::size_t i = 0; i < surface.positions.size(); ++i) {
-    EXPECT_GT(surface.normals[i].z(), surface.positions[i].x() == 0.0F ? 0.999F : 0.97F);
+    // on the ridge between the slopes' own, 0.98; one side has two triangles there, so not quite in the
+    // middle
+    EXPECT_GT(surface.normals[i].z(), surface.positions[i].x() == 0.0F ? 0.99F : 0.97F);
   }
 }
 
