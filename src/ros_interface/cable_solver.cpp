@@ -37,7 +37,7 @@ CableSolver::CableSolver(ros::NodeHandle node, const CableSolverParameters& para
       tubes_(node_),
       variation_(node_, tubes_),
       envelope_(node_, interference_),
-      path_(node_),
+      path_(node_, interference_),
       design_state_(node_),
       diagnostics_(node_, context_),
       solve_equilibrium_(node_, context_, OutputDirectory(parameters.output_directory), names_),

@@ -204,6 +204,10 @@ TEST(PathCheck, LimitsBrokenAndKeptAgainAreTold) {
   std::size_t told = 0;
   for (const TimedEvent& each : check.events) told += each.event.measure == "height" ? 1U : 0U;
   EXPECT_GE(changes, 2u);
+  const TimedEvent* broken = firstOf(check, ShapeEvent::Kind::limit_broken);
+  ASSERT_NE(broken, nullptr);
+  EXPECT_NE(broken->event.text.find(" mm and breaks its limits (at least -50 mm)"), std::string::npos)
+      << broken->event.text;
   EXPECT_EQ(told, changes);
   EXPECT_FALSE(check.kept);
   const PathWorst worst = worstAlong(check, strand.design.scene.measures[1], 1);

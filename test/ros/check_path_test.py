@@ -10,7 +10,7 @@ import xml.etree.ElementTree as ElementTree
 import rospkg
 import rospy
 import rostest
-from cable_variation.msg import CableEvent, CableShapes, Status
+from cable_variation.msg import CableEvent, CableShapes, Label, Labels, Status
 from cable_variation.srv import CheckPath, GetScene, SolveEquilibrium
 from geometry_msgs.msg import PoseStamped
 from nav_msgs.msg import Path
@@ -116,6 +116,10 @@ class CheckPathTest(NodeTest):
         texts = [marker.text for marker in markers if marker.type == Marker.TEXT_VIEW_FACING]
         self.assertEqual(len(texts), 1)
         self.assertIn('overstretched', texts[0])
+        labels = self.latched('/cable_solver/labels', Labels).labels
+        self.assertEqual([label.text for label in labels if label.kind == Label.FAULT], texts)
+        marks = self.latched('/cable_solver/marks/path_check', MarkerArray).markers
+        self.assertEqual([mark for mark in marks if mark.type == Marker.TEXT_VIEW_FACING], [])
 
     def test_what_is_wrong_is_refused(self):
         two = path_of(pose((0.25, 0, 0)), pose((0.2, 0, 0)))

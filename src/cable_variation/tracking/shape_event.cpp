@@ -23,9 +23,9 @@ ShapeEvent limitEvent(const Measure& measure, double before, double now, bool wi
   event.measure = measure.name;
   event.from_value = before;
   event.to_value = now;
-  event.text = "measure '" + measure.name + "' is " + shortNumber(now) + " " + measure.unit +
-               (within ? " and keeps its limits again (" : " and breaks its limits (") + measure.unit +
-               limitsOf(measure) + ")";
+  event.text = "measure '" + measure.name + "' is " + displayValue(now, measure.unit) +
+               (within ? " and keeps its limits again (" : " and breaks its limits (") + limitsOf(measure) +
+               ")";
   return event;
 }
 

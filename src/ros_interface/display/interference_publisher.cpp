@@ -36,6 +36,11 @@ void InterferencePublisher::showRegion(InterferenceView view) {
   publish();
 }
 
+void InterferencePublisher::showPath(std::vector<Label> events) {
+  path_ = std::move(events);
+  publish();
+}
+
 void InterferencePublisher::publish() {
   std::vector<DistanceMark> marks = measures_;
   for (const InterferenceView* view : {&envelope_, &region_}) {
@@ -54,6 +59,7 @@ void InterferencePublisher::publish() {
   labels.labels = names_;
   const std::vector<Label> figures = distanceLabels(marks);
   labels.labels.insert(labels.labels.end(), figures.begin(), figures.end());
+  labels.labels.insert(labels.labels.end(), path_.begin(), path_.end());
   labels_.publish(labels);
 }
 

@@ -34,6 +34,8 @@ class InterferencePublisher {
                     std::vector<cable_variation::Label> names);
   void showEnvelope(InterferenceView view);
   void showRegion(InterferenceView view);
+  /// On ~labels alone: what happens along a path.
+  void showPath(std::vector<cable_variation::Label> events);
 
  private:
   void publish();
@@ -42,7 +44,7 @@ class InterferencePublisher {
   ros::Publisher labels_;
   std::vector<DistanceMark> measures_;
   visualization_msgs::MarkerArray clips_;
-  std::vector<cable_variation::Label> names_;
+  std::vector<cable_variation::Label> names_, path_;
   InterferenceView envelope_;
   InterferenceView region_;
 };

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include <cable_variation/util/quantity.h>
+#include <ros_interface/conversion/message_conversion.h>
 #include <ros_interface/markers/colour_map.h>
 #include <ros_interface/markers/label_placing.h>
 #include <ros_interface/markers/marker_colours.h>
@@ -85,6 +86,10 @@ std::optional<Vector3d> placeOf(const Scene& scene, const PathCheck& check, cons
   return line[static_cast<std::size_t>(std::clamp(std::round(at), 0.0, last))];
 }
 
+std::string wordsOf(const TimedEvent& event) {
+  return cable_variation::shortNumber(event.time) + " s: " + shortText(event.event);
+}
+
 MarkerGroup eventMarkers(const Scene& scene, const PathCheck& check) {
   MarkerGroup group("path/events", kWorldFrame, kWords);
   LabelPlacing labels;
@@ -94,7 +99,7 @@ MarkerGroup eventMarkers(const Scene& scene, const PathCheck& check) {
     group.setColor(isFault(event.event.kind) ? kInterferenceRed : kWords);
     group.addSphere(*place, kBall);
     group.setColor(kWords);
-    const std::string words = cable_variation::shortNumber(event.time) + " s: " + shortText(event.event);
+    const std::string words = wordsOf(event);
     group.addText(labels.place(*place + kAbove * Vector3d::UnitZ(), words, kText), words, kText);
   }
   return group;
@@ -126,6 +131,20 @@ visualization_msgs::MarkerArray pathMarkers(const Scene& scene, const PathCheck&
   }
   append(eventMarkers(scene, check), array);
   return array;
+}
+
+std::vector<cable_variation::Label> pathLabels(const Scene& scene, const PathCheck& check) {
+  std::vector<cable_variation::Label> labels;
+  for (const TimedEvent& event : check.events) {
+    const std::optional<Vector3d> place = placeOf(scene, check, event);
+    if (!place) continue;
+    cable_variation::Label label;
+    label.kind = isFault(event.event.kind) ? cable_variation::Label::FAULT : cable_variation::Label::FIGURE;
+    label.text = wordsOf(event);
+    label.at = toPoint(*place);
+    labels.push_back(label);
+  }
+  return labels;
 }
 
 }  // namespace cable_variation_ros

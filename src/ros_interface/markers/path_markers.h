@@ -1,6 +1,10 @@
 #pragma once
 
+#include <vector>
+
 #include <visualization_msgs/MarkerArray.h>
+
+#include <cable_variation/Label.h>
 
 #include <cable_variation/path/path_check.h>
 
@@ -12,5 +16,9 @@ namespace cable_variation_ros {
 visualization_msgs::MarkerArray pathMarkers(const cable_variation::Scene& scene,
                                             const cable_variation::PathCheck& check,
                                             const cable_variation::ComponentPath& path);
+
+/// What happened, at its place; faults are those that nobody wants.
+std::vector<cable_variation::Label> pathLabels(const cable_variation::Scene& scene,
+                                               const cable_variation::PathCheck& check);
 
 }  // namespace cable_variation_ros

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <ros/init.h>
 
@@ -118,7 +119,8 @@ CheckPathService::Response CheckPathService::check(const Request& request) {
                            question.request.warnings.end());
   if (!request.report.empty()) writeReport(request.report, question, check, output_, response);
   visualization_msgs::MarkerArray markers = pathMarkers(scene, check, question.request.path);
-  spinning_.run([&] { publisher_.show(markers, question.snapshot.design_number, context_); });
+  const std::vector<cable_variation::Label> events = pathLabels(scene, check);
+  spinning_.run([&] { publisher_.show(markers, events, question.snapshot.design_number, context_); });
   return response;
 }
 
