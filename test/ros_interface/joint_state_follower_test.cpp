@@ -101,6 +101,21 @@ TEST(JointStateFollower, UntilAJointIsHeardOfItsLinksStayWhereTheSceneHasThem) {
   EXPECT_EQ(follower.unheard(), std::vector<std::string>{"grip"});
 }
 
+// A message waits for its turn: where the scene has the joint was told of with a later stamp. It may be the
+// last one.
+TEST(JointStateFollower, WhatIsHeardFirstIsNewerThanWhereTheSceneHasIt) {
+  JointStateFollower follower(arm());
+  std::vector<std::string> warnings;
+  follower.waiting(at(1.02));
+  EXPECT_GT(follower.take(state(1.01, {"shoulder"}, {0.1}), at(1.03), warnings).at(0).header.stamp, at(1.02));
+  for (const auto& transform : follower.waiting(at(1.04))) EXPECT_NE(transform.child_frame_id, "arm/upper");
+  EXPECT_EQ(follower.take(state(1.05, {"shoulder"}, {0.2}), at(1.06), warnings).at(0).header.stamp, at(1.05));
+  // set back, it is where the scene has it, until it is heard again
+  follower.take(state(0.5, {"grip"}, {0.0}), at(0.5), warnings);
+  follower.waiting(at(0.6));
+  EXPECT_GT(follower.take(state(0.59, {"shoulder"}, {0.1}), at(0.61), warnings).at(0).header.stamp, at(0.6));
+}
+
 TEST(JointStateFollower, AStampCountsOnceUntilTheClockIsSetBack) {
   JointStateFollower follower(arm());
   std::vector<std::string> warnings;

@@ -12,6 +12,12 @@ using cable_variation::didYouMean;
 using cable_variation::LinkJoint;
 using cable_variation::shortNumber;
 
+namespace {
+
+const ros::Duration kTick(0, 1);  // [s], the shortest
+
+}  // namespace
+
 JointStateFollower::JointStateFollower(const cable_variation::Scene& scene) {
   for (const cable_variation::Component& component : scene.components) {
     if (!component.joint) continue;
@@ -27,7 +33,10 @@ std::vector<geometry_msgs::TransformStamped> JointStateFollower::take(const sens
                                                                       const ros::Time& now,
                                                                       std::vector<std::string>& warnings) {
   std::vector<geometry_msgs::TransformStamped> transforms;
-  if (now < last_) heard_.clear();
+  if (now < last_) {
+    heard_.clear();
+    waited_ = ros::Time();
+  }
   last_ = now;
   const ros::Time stamp = message.header.stamp.isZero() ? now : message.header.stamp;
   if (message.position.size() != message.name.size()) {
@@ -50,10 +59,11 @@ std::vector<geometry_msgs::TransformStamped> JointStateFollower::take(const sens
     const auto [heard, first] = heard_.emplace(name, stamp);
     if (!first && stamp <= heard->second) continue;
     heard->second = stamp;
+    const ros::Time shown = first && stamp <= waited_ ? waited_ + kTick : stamp;
     for (const Link& link : found->second) {
       checkLimits(link, message.position[i], warnings);
       transforms.push_back(
-          toTransform(linkPose(link.joint, message.position[i]), link.parent, link.name, stamp));
+          toTransform(linkPose(link.joint, message.position[i]), link.parent, link.name, shown));
     }
   }
   return transforms;
@@ -79,7 +89,8 @@ void JointStateFollower::checkLimits(const Link& link, double driver_position,
                      shortNumber(joint.lower) + " to " + shortNumber(joint.upper) + "; it is followed");
 }
 
-std::vector<geometry_msgs::TransformStamped> JointStateFollower::waiting(const ros::Time& now) const {
+std::vector<geometry_msgs::TransformStamped> JointStateFollower::waiting(const ros::Time& now) {
+  waited_ = now;
   std::vector<geometry_msgs::TransformStamped> transforms;
   for (const auto& [joint, links] : links_) {
     if (heard_.count(joint) != 0) continue;

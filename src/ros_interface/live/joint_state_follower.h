@@ -23,12 +23,13 @@ class JointStateFollower {
 
   /// Links in their parents' frames whose joints a message tells of, with its stamp (`now`, if it has none).
   /// A joint that it tells of again with the same or an older stamp is left out, until the clock is set back.
+  /// The first that is heard of a joint is stamped after all that waiting() told of it: tf takes the newest.
   /// @param warnings takes what is wrong with the message: each joint is told of once
   std::vector<geometry_msgs::TransformStamped> take(const sensor_msgs::JointState& message,
                                                     const ros::Time& now, std::vector<std::string>& warnings);
 
   /// Links whose joints no message has told of, where the scene has them, with the stamp `now`.
-  std::vector<geometry_msgs::TransformStamped> waiting(const ros::Time& now) const;
+  std::vector<geometry_msgs::TransformStamped> waiting(const ros::Time& now);
   /// Joints that no message has told of.
   std::vector<std::string> unheard() const;
 
@@ -47,6 +48,7 @@ class JointStateFollower {
   std::map<std::string, ros::Time> heard_;          // newest stamp, by joint
   std::set<std::string> told_;                      // joints, by what was wrong
   ros::Time last_;                                  // now, when a message was taken
+  ros::Time waited_;                                // newest stamp of waiting()
 };
 
 }  // namespace cable_variation_ros
