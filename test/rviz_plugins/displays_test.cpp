@@ -24,7 +24,6 @@ namespace {
 
 using cable_variation::CableTube;
 using cable_variation::CableTubes;
-using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 const Vector3d kBackground(52, 58, 66);  // as the configuration has it
@@ -74,18 +73,11 @@ class DisplaysTest : public testing::Test {
     return !status.isEmpty() && !status.startsWith("no message");
   }
   /// For a person who wants to look: into the folder $REVIEW_PICTURES.
-  static QImage shot(const char* name) {
-    QImage image = view_->shot();
+  static Picture shot(const char* name) {
+    const Picture picture = view_->shot();
     if (const char* folder = std::getenv("REVIEW_PICTURES"))
-      image.save(QString("%1/%2.png").arg(folder, name));
-    return image;
-  }
-  static Vector3d colourAt(const QImage& image, const Vector2d& pixel) {
-    const QPoint at(static_cast<int>(std::floor(pixel.x())), static_cast<int>(std::floor(pixel.y())));
-    if (!image.rect().contains(at)) return Vector3d::Constant(-1.0);
-    const QColor color = image.pixelColor(at);
-    return {static_cast<double>(color.red()), static_cast<double>(color.green()),
-            static_cast<double>(color.blue())};
+      picture.image().save(QString("%1/%2.png").arg(folder, name));
+    return picture;
   }
 
   ros::NodeHandle node_;
@@ -143,7 +135,7 @@ TEST_F(DisplaysTest, CablesHaveTheColoursOfTheLegendWhereTheyFaceTheCamera) {
   ASSERT_NE(cables, nullptr);
   cables->subProp("Quantity")->setValue("curvature");
   view_->look({0.405, 0.33, 0.415}, 0.8, 0.62, 0.22);
-  const QImage image = shot("curvature");
+  const Picture picture = shot("curvature");
   int right = 0, all = 0;
   for (const CableTube& tube : heard_->cables) {
     const auto& quantity = tube.quantities.front();
@@ -155,11 +147,11 @@ TEST_F(DisplaysTest, CablesHaveTheColoursOfTheLegendWhereTheyFaceTheCamera) {
                       Vector3d(tube.position[3 * i], tube.position[3 * i + 1], tube.position[3 * i + 2]));
     };
     for (std::size_t i = 5; i + 5 < tube.radius.size(); ++i) {
-      const Vector3d to_eye = (view_->eye() - centre(i)).normalized();
+      const Vector3d to_eye = (picture.eye() - centre(i)).normalized();
       const Vector3d along = (centre(i + 1) - centre(i - 1)).normalized();
       const double facing = along.cross(to_eye).norm();  // of the surface in front of the centre
       const Vector3d expected = 255.0 * (0.4 + 0.6 * facing) * scale(quantity.values[i]);
-      const Vector3d seen = colourAt(image, view_->pixelOf(centre(i) + tube.radius[i] * to_eye));
+      const Vector3d seen = picture.colourAt(centre(i) + tube.radius[i] * to_eye);
       right += (seen - expected).cwiseAbs().maxCoeff() <= 16.0 ? 1 : 0;
       ++all;
     }
@@ -173,21 +165,21 @@ TEST_F(DisplaysTest, TubesAreLit) {
   ASSERT_NE(cables, nullptr);
   cables->subProp("Quantity")->setValue("variation");
   view_->look(Vector3d::Zero(), 0.4, 0.0, -M_PI / 2);  // from the side, -y
-  const QImage image = shot("straight");
+  const Picture picture = shot("straight");
   for (const double x : {-0.05, 0.0, 0.05}) {
     const Vector3d full = 255.0 * cable_variation_ros::viridis(0.5 + 5.0 * x);
-    const Vector3d middle = colourAt(image, view_->pixelOf({x, -0.01, 0.0}));
+    const Vector3d middle = picture.colourAt({x, -0.01, 0.0});
     EXPECT_LT((middle - full).cwiseAbs().maxCoeff(), 8.0)
         << middle.transpose() << " for " << full.transpose();
     double before = middle.sum();
     for (const double share : {0.5, 0.75, 0.92}) {
       const Vector3d aside(x, -0.01 * std::sqrt(1.0 - share * share), 0.01 * share);
-      const double here = colourAt(image, view_->pixelOf(aside)).sum();
+      const double here = picture.colourAt(aside).sum();
       EXPECT_LT(here, before - 5.0) << share << " of the radius aside of the middle, at " << x;
       before = here;
     }
   }
-  EXPECT_EQ(colourAt(image, view_->pixelOf({0.0, 0.0, 0.015})), kBackground);
+  EXPECT_EQ(picture.colourAt({0.0, 0.0, 0.015}), kBackground);
 }
 
 TEST_F(DisplaysTest, OutdatedCablesAreGreyAndOthersHaveTheirOwnColour) {
@@ -197,14 +189,14 @@ TEST_F(DisplaysTest, OutdatedCablesAreGreyAndOthersHaveTheirOwnColour) {
   ASSERT_NE(cables, nullptr);
   cables->subProp("Quantity")->setValue("variation");
   view_->look(Vector3d::Zero(), 0.4, 0.0, -M_PI / 2);
-  const Vector3d grey = colourAt(shot("outdated"), view_->pixelOf({0.06, -0.01, 0.0}));
+  const Vector3d grey = shot("outdated").colourAt({0.06, -0.01, 0.0});
   EXPECT_LT(grey.maxCoeff() - grey.minCoeff(), 12.0) << grey.transpose();
   EXPECT_GT((grey - kBackground).norm(), 30.0) << grey.transpose();
   tubes.outdated = false;
   tubes.cables[0].quantities.clear();
   sender_.publish(tubes);
   QTest::qWait(500);
-  const Vector3d own = colourAt(shot("own"), view_->pixelOf({0.06, -0.01, 0.0}));
+  const Vector3d own = shot("own").colourAt({0.06, -0.01, 0.0});
   EXPECT_GT(own.x() - own.z(), 150.0) << own.transpose();  // orange
 }
 
@@ -215,13 +207,13 @@ TEST_F(DisplaysTest, WhatCannotBeDrawnIsToldAndNotDrawn) {
   ASSERT_NE(cables, nullptr);
   view_->look(Vector3d::Zero(), 0.4, 0.0, -M_PI / 2);
   EXPECT_TRUE(eventually([&] { return statusOf(*cables).contains("not finite"); }, 10000));
-  EXPECT_EQ(colourAt(shot("fault"), view_->pixelOf({0.06, -0.01, 0.0})), kBackground);
+  EXPECT_EQ(shot("fault").colourAt({0.06, -0.01, 0.0}), kBackground);
   tubes = straight();
   tubes.cables[0].quantities[0].values[20] = std::numeric_limits<float>::infinity();
   tubes.cables[0].quantities[0].values[30] = std::numeric_limits<float>::quiet_NaN();
   sender_.publish(tubes);  // drawn, what is no number in grey
   EXPECT_TRUE(eventually([&] { return statusOf(*cables).contains("1 cables"); }, 10000));
-  const Vector3d grey = colourAt(shot("no_number"), view_->pixelOf({0.05, -0.01, 0.0}));
+  const Vector3d grey = shot("no_number").colourAt({0.05, -0.01, 0.0});
   EXPECT_LT(grey.maxCoeff() - grey.minCoeff(), 25.0) << grey.transpose();
 }
 
@@ -234,11 +226,11 @@ TEST_F(DisplaysTest, AFixedRangeIsKept) {
   shot("automatic");
   automatic->setValue(false);
   automatic->subProp("Maximum")->setValue(0.5);
-  const Vector3d seen = colourAt(shot("fixed_range"), view_->pixelOf({0.05, -0.01, 0.0}));
+  const Vector3d seen = shot("fixed_range").colourAt({0.05, -0.01, 0.0});
   EXPECT_LT((seen - 255.0 * cable_variation_ros::viridis(1.0)).cwiseAbs().maxCoeff(), 8.0)
       << seen.transpose();
   automatic->setValue(true);
-  const Vector3d again = colourAt(shot("automatic_again"), view_->pixelOf({0.05, -0.01, 0.0}));
+  const Vector3d again = shot("automatic_again").colourAt({0.05, -0.01, 0.0});
   EXPECT_LT((again - 255.0 * cable_variation_ros::viridis(0.75)).cwiseAbs().maxCoeff(), 8.0);
 }
 
@@ -259,12 +251,12 @@ TEST_F(DisplaysTest, LabelsDoNotCoverEachOtherAndAreReadable) {
   ASSERT_NE(shown, nullptr);
   for (const double distance : {0.3, 3.0}) {  // from near and far: of the same size
     view_->look(Vector3d::Zero(), distance, 0.5, -1.2);
-    const QImage image = shot(distance < 1.0 ? "labels" : "labels_far");
+    const Picture picture = shot(distance < 1.0 ? "labels" : "labels_far");
     ASSERT_EQ(shown->boxes().size(), 24U);
     for (std::size_t i = 0; i < 24; ++i) {
       const std::optional<QRectF>& box = shown->boxes()[i];
       ASSERT_TRUE(box) << i;
-      EXPECT_TRUE(QRectF(image.rect()).contains(*box)) << i;
+      EXPECT_TRUE(QRectF(picture.image().rect()).contains(*box)) << i;
       EXPECT_GT(box->height(), 18.0);
       EXPECT_LT(box->height(), 36.0);
       for (std::size_t j = 0; j < i; ++j)
@@ -273,7 +265,7 @@ TEST_F(DisplaysTest, LabelsDoNotCoverEachOtherAndAreReadable) {
       int light = 0, ground = 0;
       for (double y = box->top() + 3.0; y < box->bottom() - 3.0; y += 1.0) {
         for (double x = box->left() + 3.0; x < box->right() - 3.0; x += 1.0) {
-          const Vector3d color = colourAt(image, {x, y});
+          const Vector3d color = picture.colourOf({x, y});
           light += color.minCoeff() > 150.0 ? 1 : 0;
           const bool fault = i % 3 == 2;
           ground += (fault ? color.x() > 140.0 && color.y() < 60.0 : color.maxCoeff() < 60.0) ? 1 : 0;
@@ -306,18 +298,18 @@ TEST_F(DisplaysTest, OfAnEnvelopeTheNearestWallAloneIsSeenFromEverySide) {
   for (const auto& [pitch, yaw] : {std::pair(0.0, 0.0), std::pair(0.0, 1.5), std::pair(0.0, 3.1),
                                    std::pair(0.0, -1.6), std::pair(1.5, 0.3), std::pair(-1.5, 0.3)}) {
     view_->look(Vector3d::Zero(), 0.6, pitch, yaw);
-    const Vector3d seen = colourAt(shot("envelope"), view_->pixelOf(Vector3d::Zero()));
+    const Vector3d seen = shot("envelope").colourAt(Vector3d::Zero());
     // The middle of a wall that faces the camera: 0.6 of its alpha, once.
     const Vector3d once = 0.6 * alpha * own + (1.0 - 0.6 * alpha) * kBackground;
     EXPECT_LT((seen - once).cwiseAbs().maxCoeff(), 10.0)
         << "pitch " << pitch << ", yaw " << yaw << ": " << seen.transpose() << " for " << once.transpose();
   }
   view_->look(Vector3d::Zero(), 0.05, 0.0, 0.0);  // from inside
-  const Vector3d seen = colourAt(shot("envelope_inside"), view_->pixelOf(Vector3d::Zero()));
+  const Vector3d seen = shot("envelope_inside").colourAt(Vector3d::Zero());
   EXPECT_GT((seen - kBackground).x(), 15.0) << seen.transpose();
   sender_.publish(cable_variation::EnvelopeMesh());
   EXPECT_TRUE(eventually([&] { return statusOf(*envelope).contains("no envelope"); }, 10000));
-  EXPECT_EQ(colourAt(shot("no_envelope"), view_->pixelOf(Vector3d::Zero())), kBackground);
+  EXPECT_EQ(shot("no_envelope").colourAt(Vector3d::Zero()), kBackground);
 }
 
 bool hasVariation(const CableTubes& tubes) {

@@ -9,7 +9,10 @@
 
 #include <gtest/gtest.h>
 #include <ros/ros.h>
+#include <rviz/view_controller.h>
+#include <rviz/view_manager.h>
 #include <rviz/visualization_frame.h>
+#include <rviz/visualization_manager.h>
 
 #include <QApplication>
 #include <QComboBox>
@@ -35,21 +38,10 @@
 #include <rviz_plugins/panel/message_line.h>
 #include <rviz_plugins/panel/variable_table_model.h>
 
+#include "eventually.h"
+
 namespace cable_variation_rviz {
 namespace {
-
-constexpr int kPatience = 60000;  // [ms]; generous, the machine may be busy
-
-/// Lets Qt go on until `question` is true.
-bool eventually(const std::function<bool()>& question, int patience = kPatience) {
-  QElapsedTimer time;
-  time.start();
-  while (!question()) {
-    if (time.elapsed() > patience) return false;
-    QTest::qWait(20);
-  }
-  return true;
-}
 
 class ReviewPanelTest : public testing::Test {
  protected:
@@ -263,6 +255,26 @@ TEST_F(ReviewPanelTest, AnotherSceneIsFollowedWithItsMotion) {
     QTest::qWait(500);
     return time->value() == at;
   }));
+}
+
+TEST_F(ReviewPanelTest, TheCameraGoesToAnotherSceneUnlessItIsMovedMeanwhile) {
+  rviz::Property& view = *frame_->getManager()->getViewManager()->getCurrent();
+  rviz::Property& x = *view.subProp("Focal Point")->childAt(0);
+  const auto load = [&](const char* scene) {
+    cable_variation::LoadScene call;
+    call.request.scene = scene;
+    ASSERT_TRUE(ros::service::call("/cable_solver/load_scene", call));
+    ASSERT_EQ(call.response.status.message, "");
+  };
+  x.setValue(50.0);
+  load("package://cable_variation/config/harness.yaml");
+  EXPECT_TRUE(eventually([&] { return rowOf("wh_start_ry") >= 0; }));
+  EXPECT_TRUE(eventually([&] { return std::abs(x.getValue().toDouble()) < 2.0; }));
+  x.setValue(50.0);
+  load("package://cable_variation/config/hose.yaml");
+  EXPECT_TRUE(eventually([&] { return rowOf("cooler_x") >= 0; }));
+  x.setValue(60.0);  // as a person who looks at something
+  EXPECT_FALSE(eventually([&] { return x.getValue().toDouble() != 60.0; }, 4000));
 }
 
 }  // namespace

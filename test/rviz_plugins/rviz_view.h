@@ -1,8 +1,9 @@
 #pragma once
 
-#include <functional>
+#include <cmath>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include <OgreCamera.h>
 #include <OgreRenderWindow.h>
@@ -15,26 +16,52 @@
 #include <rviz/visualization_manager.h>
 
 #include <QApplication>
-#include <QElapsedTimer>
 #include <QImage>
-#include <QtTest/QTest>
 
 #include <Eigen/Geometry>
 
+#include "eventually.h"
+
 namespace cable_variation_rviz {
 
-/// Lets Qt go on until `question` is true.
-inline bool eventually(const std::function<bool()>& question, int patience = 60000) {  // [ms]
-  QElapsedTimer time;
-  time.start();
-  while (!question()) {
-    if (time.elapsed() > patience) return false;
-    QTest::qWait(20);
-  }
-  return true;
-}
+/// What RViz has drawn, and the camera that it was drawn with: the view's own may have moved on.
+class Picture {
+ public:
+  Picture(QImage image, const Ogre::Camera& camera)
+      : image_(std::move(image)),
+        projection_(camera.getProjectionMatrix() * camera.getViewMatrix()),
+        eye_(camera.getDerivedPosition().x, camera.getDerivedPosition().y, camera.getDerivedPosition().z) {}
 
-/// A real RViz with a configuration, what it has drawn and where.
+  const QImage& image() const { return image_; }
+
+  /// Where the camera stood [m], in the fixed frame.
+  const Eigen::Vector3d& eye() const { return eye_; }
+
+  /// Of a pixel, each part 0 to 255; -1: it is not on the picture.
+  Eigen::Vector3d colourOf(const Eigen::Vector2d& pixel) const {
+    const QPoint at(static_cast<int>(std::floor(pixel.x())), static_cast<int>(std::floor(pixel.y())));
+    if (!image_.rect().contains(at)) return Eigen::Vector3d::Constant(-1.0);
+    const QColor color = image_.pixelColor(at);
+    return {static_cast<double>(color.red()), static_cast<double>(color.green()),
+            static_cast<double>(color.blue())};
+  }
+
+  /// Where a point of the fixed frame [m] is to be seen.
+  Eigen::Vector3d colourAt(const Eigen::Vector3d& point) const { return colourOf(pixelOf(point)); }
+
+ private:
+  Eigen::Vector2d pixelOf(const Eigen::Vector3d& point) const {
+    const Eigen::Vector3f at = point.cast<float>();
+    const Ogre::Vector4 seen = projection_ * Ogre::Vector4(at.x(), at.y(), at.z(), 1.0F);
+    return {0.5 * image_.width() * (1.0 + seen.x / seen.w), 0.5 * image_.height() * (1.0 - seen.y / seen.w)};
+  }
+
+  QImage image_;
+  Ogre::Matrix4 projection_;
+  Eigen::Vector3d eye_;
+};
+
+/// A real RViz with a configuration.
 class RvizView {
  public:
   explicit RvizView(const std::string& config) : frame_(std::make_unique<rviz::VisualizationFrame>()) {
@@ -70,9 +97,10 @@ class RvizView {
   }
 
   /// What is drawn now, without the window around it.
-  QImage shot() const {
+  Picture shot() const {
     const auto drawn = manager().getFrameCount();
     eventually([&] { return manager().getFrameCount() > drawn + 3; });
+    const Ogre::Camera& camera = *manager().getViewManager()->getCurrent()->getCamera();
     Ogre::RenderWindow& window = *manager().getRenderPanel()->getRenderWindow();
     const auto width = static_cast<int>(window.getWidth()), height = static_cast<int>(window.getHeight());
     QImage image(width, height, QImage::Format_RGB32);
@@ -82,23 +110,7 @@ class RvizView {
 #else
     window.copyContentsToMemory(Ogre::Box(pixels), pixels);
 #endif
-    return image;
-  }
-
-  /// Where a point of the fixed frame is on such a picture [px].
-  Eigen::Vector2d pixelOf(const Eigen::Vector3d& point) const {
-    const Ogre::Camera& camera = *manager().getViewManager()->getCurrent()->getCamera();
-    const Eigen::Vector3f at = point.cast<float>();
-    const Ogre::Vector4 seen =
-        camera.getProjectionMatrix() * camera.getViewMatrix() * Ogre::Vector4(at.x(), at.y(), at.z(), 1.0F);
-    const Ogre::RenderWindow& window = *manager().getRenderPanel()->getRenderWindow();
-    return {0.5 * window.getWidth() * (1.0 + seen.x / seen.w),
-            0.5 * window.getHeight() * (1.0 - seen.y / seen.w)};
-  }
-
-  Eigen::Vector3d eye() const {
-    const Ogre::Vector3 at = manager().getViewManager()->getCurrent()->getCamera()->getDerivedPosition();
-    return {at.x, at.y, at.z};
+    return Picture(image, camera);
   }
 
  private:

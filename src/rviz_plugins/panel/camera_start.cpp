@@ -54,26 +54,40 @@ CameraStart::CameraStart(SolverConnection& solver, rviz::DisplayContext& context
       [this](const cable_variation::CableShapesConstPtr& shapes) { heard_ = shapes; });
 }
 
-void CameraStart::sceneChanged() { due_->start(); }
+void CameraStart::sceneChanged() {
+  before_ = view();
+  due_->start();
+}
 
-void CameraStart::look() {
+// Where the camera looks [m] and from how far [m]; none: it is not one that orbits.
+std::optional<Eigen::Vector4d> CameraStart::view() const {
   rviz::ViewController* camera = context_.getViewManager()->getCurrent();
   rviz::Property* focus = camera != nullptr ? camera->subProp("Focal Point") : nullptr;
   rviz::Property* distance = camera != nullptr ? camera->subProp("Distance") : nullptr;
-  if (focus == nullptr || distance == nullptr || focus->numChildren() < 3) return;  // not one that orbits
+  if (focus == nullptr || distance == nullptr || focus->numChildren() < 3) return std::nullopt;
+  Eigen::Vector4d view;
+  for (int i = 0; i < 3; ++i) view[i] = focus->childAt(i)->getValue().toDouble();
+  view[3] = distance->getValue().toDouble();
+  return view;
+}
+
+void CameraStart::look() {
+  const std::optional<Eigen::Vector4d> now = view();
+  if (!now || now != before_) return;
   Box box;
   if (heard_) box = boxOf(*heard_);
   if (box.isEmpty()) box = boxOf(*context_.getSceneManager());
   if (box.isEmpty()) return;
   const double size = box.diagonal().norm();
   if (!(size > 0.0 && size < kLargest)) return;
-  Eigen::Vector3d at;
-  for (int i = 0; i < 3; ++i) at[i] = focus->childAt(i)->getValue().toDouble();
-  const double away = distance->getValue().toDouble();
-  if (box.exteriorDistance(at) < 0.5 * size && away > kNearest * size && away < kFarthest * size) return;
+  const double away = (*now)[3];
+  if (box.exteriorDistance(now->head<3>().eval()) < 0.5 * size && away > kNearest * size &&
+      away < kFarthest * size)
+    return;
   const Eigen::Vector3d middle = box.center();
-  for (int i = 0; i < 3; ++i) focus->childAt(i)->setValue(middle[i]);
-  distance->setValue(kFrame * size);
+  rviz::ViewController& camera = *context_.getViewManager()->getCurrent();
+  for (int i = 0; i < 3; ++i) camera.subProp("Focal Point")->childAt(i)->setValue(middle[i]);
+  camera.subProp("Distance")->setValue(kFrame * size);
 }
 
 }  // namespace cable_variation_rviz
