@@ -14,4 +14,14 @@ cable_variation::Status statusOf(const std::exception& error);
 /// Runs the body of a service handler: SUCCESS, or statusOf() what it threw.
 cable_variation::Status runRequest(const std::function<void()>& body);
 
+/// The response that `body` makes, whose status may tell of files that could not be written; if it throws,
+/// one that has nothing but the status.
+template <typename Response>
+Response answered(const std::function<Response()>& body) {
+  Response response;
+  const cable_variation::Status status = runRequest([&] { response = body(); });
+  if (status.code != cable_variation::Status::SUCCESS) response.status = status;
+  return response;
+}
+
 }  // namespace cable_variation_ros

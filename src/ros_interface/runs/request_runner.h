@@ -24,13 +24,10 @@ class RequestRunner {
   /// else there is, it has nothing but its status if that is not SUCCESS.
   Response run(const Request& request, const Runner::Watcher& watcher) {
     const auto run = std::make_shared<Run>(request, runner_.limits(), publisher_);
-    Response response;
-    const cable_variation::Status status = runRequest([&] {
+    return answered<Response>([&] {
       runner_.run(run, who_, watcher);
-      response = run->takeResponse();
+      return run->takeResponse();
     });
-    if (status.code != cable_variation::Status::SUCCESS) response.status = status;
-    return response;
   }
 
  private:

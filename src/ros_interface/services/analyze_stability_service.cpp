@@ -28,7 +28,6 @@ using cable_variation::DesignVariable;
 using cable_variation::Scene;
 using cable_variation::StabilityAnalysis;
 using cable_variation::StabilityOptions;
-using cable_variation::Status;
 
 namespace {
 
@@ -66,13 +65,7 @@ AnalyzeStabilityService::AnalyzeStabilityService(ros::NodeHandle& node, const So
       server_(node.advertiseService(kAnalyzeStabilityService, &AnalyzeStabilityService::handle, this)) {}
 
 bool AnalyzeStabilityService::handle(Request& request, Response& response) {
-  Response answer;
-  const Status status = runRequest([&] { answer = analyse(request); });
-  if (status.code == Status::SUCCESS) {
-    response = std::move(answer);
-  } else {
-    response.status = status;
-  }
+  response = answered<Response>([&] { return analyse(request); });
   return true;
 }
 

@@ -31,7 +31,6 @@ using cable_variation::RegionClearance;
 using cable_variation::RegionClearanceResult;
 using cable_variation::RegularFile;
 using cable_variation::Scene;
-using cable_variation::Status;
 using cable_variation::TriangleMesh;
 
 namespace {
@@ -147,10 +146,7 @@ CheckForbiddenRegionService::CheckForbiddenRegionService(ros::NodeHandle& node, 
           node.advertiseService(kCheckForbiddenRegionService, &CheckForbiddenRegionService::handle, this)) {}
 
 bool CheckForbiddenRegionService::handle(Request& request, Response& response) {
-  Response answer;
-  const Status status = runRequest([&] { answer = check(request); });
-  if (status.code == Status::SUCCESS) response = std::move(answer);
-  response.status = status;
+  response = answered<Response>([&] { return check(request); });
   return true;
 }
 

@@ -27,7 +27,6 @@ namespace cable_variation_ros {
 using cable_variation::CheckPathRequest;
 using cable_variation::CheckPathResponse;
 using cable_variation::PathCheck;
-using cable_variation::Status;
 
 namespace {
 
@@ -95,10 +94,7 @@ CheckPathService::CheckPathService(const ros::NodeHandle& node, const SolverCont
       server_(node, kCheckPathService, [this](const Request& request) { return answer(request); }) {}
 
 CheckPathService::Response CheckPathService::answer(const Request& request) {
-  Response response;
-  const Status status = runRequest([&] { response = check(request); });
-  if (status.code != Status::SUCCESS) response.status = status;
-  return response;
+  return answered<Response>([&] { return check(request); });
 }
 
 CheckPathService::Response CheckPathService::check(const Request& request) {

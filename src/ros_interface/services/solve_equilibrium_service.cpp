@@ -23,7 +23,6 @@ namespace cable_variation_ros {
 using cable_variation::ComponentPoses;
 using cable_variation::Motion;
 using cable_variation::Scene;
-using cable_variation::Status;
 
 namespace {
 
@@ -48,13 +47,7 @@ SolveEquilibriumService::SolveEquilibriumService(ros::NodeHandle& node, const So
       server_(node.advertiseService(kSolveEquilibriumService, &SolveEquilibriumService::handle, this)) {}
 
 bool SolveEquilibriumService::handle(Request& request, Response& response) {
-  Response answer;
-  const Status status = runRequest([&] { answer = solve(request); });
-  if (status.code == Status::SUCCESS) {
-    response = std::move(answer);
-  } else {
-    response.status = status;
-  }
+  response = answered<Response>([&] { return solve(request); });
   return true;
 }
 
