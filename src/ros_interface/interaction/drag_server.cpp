@@ -15,6 +15,7 @@
 #include <ros_interface/conversion/same_poses.h>
 #include <ros_interface/interaction/added_clip.h>
 #include <ros_interface/node/names.h>
+#include <ros_interface/node/queued_call.h>
 #include <ros_interface/request/name_lookup.h>
 
 namespace cable_variation_ros {
@@ -30,18 +31,6 @@ constexpr double kTick = 0.1;       // how often markers follow what they belong
 constexpr int kCalmTicks = 3;       // before a cable gets its sheath
 constexpr double kClipSize = 0.06;  // of arrows and rings together [m]
 constexpr double kComponentSize = 0.10;
-
-class Call : public ros::CallbackInterface {
- public:
-  explicit Call(std::function<void()> task) : task_(std::move(task)) {}
-  CallResult call() override {
-    task_();
-    return Success;
-  }
-
- private:
-  std::function<void()> task_;
-};
 
 /// What a design variable is of: the marker's kind and the thing's index.
 std::pair<Kind, std::size_t> subjectOf(const cable_variation::DesignTarget& target, bool& known) {
@@ -108,7 +97,7 @@ void DragServer::hear(const Feedback& feedback) {
     }
     if (std::exchange(woken_, true)) return;
     // behind what has come since: only the newest pose is followed
-    ros::getGlobalCallbackQueue()->addCallback(boost::make_shared<Call>([this] { follow(); }),
+    ros::getGlobalCallbackQueue()->addCallback(boost::make_shared<QueuedCall>([this] { follow(); }),
                                                reinterpret_cast<std::uint64_t>(this));
   }
 }

@@ -13,6 +13,7 @@
 #include <ros_interface/conversion/message_conversion.h>
 #include <ros_interface/conversion/same_poses.h>
 #include <ros_interface/node/names.h>
+#include <ros_interface/node/queued_call.h>
 
 namespace cable_variation_ros {
 
@@ -22,18 +23,6 @@ using cable_variation::Pose;
 namespace {
 
 constexpr double kLongestCheck = 0.1;  // between two looks at how old tf is [s]
-
-class Call : public ros::CallbackInterface {
- public:
-  explicit Call(std::function<void()> task) : task_(std::move(task)) {}
-  CallResult call() override {
-    task_();
-    return Success;
-  }
-
- private:
-  std::function<void()> task_;
-};
 
 }  // namespace
 
@@ -61,7 +50,7 @@ TfFollower::~TfFollower() {
 
 void TfFollower::wake() {
   if (woken_.exchange(true)) return;
-  ros::getGlobalCallbackQueue()->addCallback(boost::make_shared<Call>([this] { awake(); }),
+  ros::getGlobalCallbackQueue()->addCallback(boost::make_shared<QueuedCall>([this] { awake(); }),
                                              reinterpret_cast<std::uint64_t>(this));
 }
 
