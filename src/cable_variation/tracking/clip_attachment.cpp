@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include <cable_variation/equilibrium/shape_distance.h>
 #include <cable_variation/math/so3.h>
 
 namespace cable_variation {
@@ -31,18 +32,10 @@ Harness closedInPlace(const Harness& from, const Equilibrium& before, const Harn
 }
 
 void tellDistance(const Equilibrium& before, AttachedClips& attached) {
-  const std::vector<CableShape>& after = attached.followed.equilibrium.shapes;
-  for (std::size_t c = 0; c < after.size(); ++c) {
-    const std::vector<Pose> a = before.shapes[c].sample(kPlaces), b = after[c].sample(kPlaces);
-    for (std::size_t i = 0; i < kPlaces; ++i) {
-      const double distance = (a[i].position - b[i].position).norm();
-      if (distance <= attached.distance) continue;
-      attached.distance = distance;
-      attached.cable = c;
-      attached.arc_length =
-          after[c].points.back().arc_length * static_cast<double>(i) / static_cast<double>(kPlaces - 1);
-    }
-  }
+  const ShapeDistance furthest = shapeDistance(before.shapes, attached.followed.equilibrium.shapes, kPlaces);
+  attached.distance = furthest.distance;
+  attached.cable = furthest.cable;
+  attached.arc_length = furthest.arc_length;
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include <ros/node_handle.h>
 
+#include <cable_variation/equilibrium/shape_distance.h>
 #include <cable_variation/scene/design.h>
 #include <cable_variation/scene_file/scene_reader.h>
 #include <cable_variation/scene_file/scene_writer.h>
@@ -23,7 +24,6 @@
 
 namespace cable_variation_ros {
 
-using cable_variation::Equilibrium;
 using cable_variation::Scene;
 
 namespace {
@@ -52,26 +52,16 @@ std::vector<std::string> warningsOfMotions(const Scene& loaded, const Scene& sav
   return warnings;
 }
 
-double largestDistance(const Equilibrium& a, const Equilibrium& b) {
-  constexpr std::size_t kPlaces = 50;
-  double largest = 0.0;
-  for (std::size_t i = 0; i < a.shapes.size(); ++i) {
-    const std::vector<cable_variation::Pose> there = a.shapes[i].sample(kPlaces),
-                                             here = b.shapes[i].sample(kPlaces);
-    for (std::size_t k = 0; k < kPlaces; ++k)
-      largest = std::max(largest, (there[k].position - here[k].position).norm());
-  }
-  return largest;
-}
-
 /// A scene is solved from nothing, which need not lead to the shape that the design was followed to.
 std::string warningOfShape(const SolverContext& context) {
-  constexpr double kNoticed = 1e-3;  // [m]
+  constexpr double kNoticed = 1e-3;    // [m]
+  constexpr std::size_t kPlaces = 50;  // of a cable
   if (context.harness().cables.empty()) return "";
   try {
     const cable_variation::ComponentPoses at_rest = placesOf(context.design(), {});
-    const double distance = largestDistance(context.solve({}, at_rest, true).equilibrium,
-                                            context.solve({}, at_rest, false).equilibrium);
+    const double distance = shapeDistance(context.solve({}, at_rest, true).equilibrium.shapes,
+                                          context.solve({}, at_rest, false).equilibrium.shapes, kPlaces)
+                                .distance;
     if (distance < kNoticed) return "";
     return "when it is loaded, the cables take a shape of lower energy than the one in force, up to " +
            cable_variation::shortNumber(1e3 * distance) + " mm away from it";
