@@ -243,4 +243,31 @@ PathWorst worstAlong(const PathCheck& check, const Measure& measure, std::size_t
   return found;
 }
 
+LargestReaction largestReaction(const PathCheck& check, std::size_t clip) {
+  LargestReaction largest;
+  largest.force_time = largest.moment_time = check.samples.front().time;
+  for (const PathSample& sample : check.samples) {
+    if (!sample.solved) continue;
+    const double force = sample.reactions[clip].force.norm(), moment = sample.reactions[clip].moment.norm();
+    if (force > largest.force) {
+      largest.force = force;
+      largest.force_time = sample.time;
+    }
+    if (moment > largest.moment) {
+      largest.moment = moment;
+      largest.moment_time = sample.time;
+    }
+  }
+  return largest;
+}
+
+TightestBend tightestBend(const PathCheck& check, std::size_t cable) {
+  TightestBend tightest{kNaN, check.samples.front().time};
+  for (const PathSample& sample : check.samples) {
+    if (!sample.solved || sample.bends[cable].radius >= tightest.radius) continue;
+    tightest = {sample.bends[cable].radius, sample.time};
+  }
+  return tightest;
+}
+
 }  // namespace cable_variation

@@ -70,4 +70,18 @@ struct PathWorst {
 };
 PathWorst worstAlong(const PathCheck& check, const Measure& measure, std::size_t index);
 
+/// The largest that a clip (index) does to its cable along a path, magnitudes; where no sample is solved 0.
+struct LargestReaction {
+  double force = 0.0, moment = 0.0;            ///< [N], [N m]
+  double force_time = 0.0, moment_time = 0.0;  ///< [s]
+};
+LargestReaction largestReaction(const PathCheck& check, std::size_t clip);
+
+/// How tightly a cable (index) is bent at the most along a path.
+struct TightestBend {
+  double radius = 0.0;  ///< [m]; infinite: it stays straight; not a number: no sample is solved
+  double time = 0.0;    ///< [s]
+};
+TightestBend tightestBend(const PathCheck& check, std::size_t cable);
+
 }  // namespace cable_variation

@@ -83,29 +83,13 @@ ReportTable measureTable(const Scene& scene, const PathCheck& check) {
   return table;
 }
 
-/// Where a clip's force is the largest.
-struct LargestForce {
-  double force = -1.0, moment = -1.0, force_time = 0.0, moment_time = 0.0;
-};
-
-LargestForce largestOf(const PathCheck& check, std::size_t clip) {
-  LargestForce largest;
-  for (const PathSample& sample : check.samples) {
-    if (!sample.solved) continue;
-    const double force = sample.reactions[clip].force.norm(), moment = sample.reactions[clip].moment.norm();
-    if (force > largest.force) largest.force = force, largest.force_time = sample.time;
-    if (moment > largest.moment) largest.moment = moment, largest.moment_time = sample.time;
-  }
-  return largest;
-}
-
 ReportTable clipTable(const Scene& scene, const PathCheck& check) {
   ReportTable table{"The largest that clips bear",
                     {"clip", "cable", "force\n[N]", "at time\n[s]", "moment\n[N m]", "at time\n[s]"},
                     {}};
   for (std::size_t i = 0; i < scene.harness.clips.size(); ++i) {
     const Clip& clip = scene.harness.clips[i];
-    const LargestForce largest = largestOf(check, i);
+    const LargestReaction largest = largestReaction(check, i);
     table.rows.push_back({plain(clip.name), plain(scene.harness.cables[clip.cable].name),
                           plain(figure(largest.force)), plain(figure(largest.force_time)),
                           plain(figure(largest.moment)), plain(figure(largest.moment_time))});
@@ -153,8 +137,7 @@ void addBendCharts(const Scene& scene, const PathFindings& found, ReportSection&
     ProfileChart chart = chartOf(found, "bend radius [mm]");
     chart.lines = {lineOf(found, "", 0,
                           [i](const PathSample& sample) { return kMillimetres * sample.bends[i].radius; })};
-    double smallest = std::numeric_limits<double>::infinity();
-    for (const auto& point : chart.lines.front().points) smallest = std::fmin(smallest, point.second);
+    const double smallest = kMillimetres * tightestBend(found.check, i).radius;
     chart.most = std::isfinite(smallest) ? kRadii * smallest : 0.0;
     section.chart(profileChart(chart), scene.harness.cables[i].name + ": smallest bend radius",
                   ReportSection::Width::half);

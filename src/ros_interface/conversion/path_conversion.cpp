@@ -1,6 +1,5 @@
 #include <ros_interface/conversion/path_conversion.h>
 
-#include <cmath>
 #include <limits>
 
 #include <ros_interface/conversion/event_conversion.h>
@@ -47,32 +46,25 @@ PathReaction toReaction(const Scene& scene, const PathCheck& check, std::size_t 
         toVector(sample.solved ? sample.reactions[index].moment : Eigen::Vector3d::Constant(kNaN));
     message.wrenches.push_back(wrench);
     message.arc_lengths.push_back(sample.solved ? sample.reactions[index].arc_length : kNaN);
-    if (!sample.solved) continue;
-    const double force = sample.reactions[index].force.norm(), moment = sample.reactions[index].moment.norm();
-    if (force > message.largest_force) {
-      message.largest_force = force;
-      message.largest_force_time = sample.time;
-    }
-    if (moment > message.largest_moment) {
-      message.largest_moment = moment;
-      message.largest_moment_time = sample.time;
-    }
   }
+  const cable_variation::LargestReaction largest = largestReaction(check, index);
+  message.largest_force = largest.force;
+  message.largest_force_time = largest.force_time;
+  message.largest_moment = largest.moment;
+  message.largest_moment_time = largest.moment_time;
   return message;
 }
 
 PathBend toBend(const Scene& scene, const PathCheck& check, std::size_t cable) {
   PathBend message;
   message.cable = scene.harness.cables[cable].name;
-  message.smallest = kNaN;
   for (const PathSample& sample : check.samples) {
-    const double radius = sample.solved ? sample.bends[cable].radius : kNaN;
-    message.smallest_bend_radius.push_back(radius);
+    message.smallest_bend_radius.push_back(sample.solved ? sample.bends[cable].radius : kNaN);
     message.arc_lengths.push_back(sample.solved ? sample.bends[cable].arc_length : kNaN);
-    if (std::isnan(radius) || radius >= message.smallest) continue;
-    message.smallest = radius;
-    message.smallest_time = sample.time;
   }
+  const cable_variation::TightestBend tightest = tightestBend(check, cable);
+  message.smallest = tightest.radius;
+  message.smallest_time = tightest.time;
   return message;
 }
 
