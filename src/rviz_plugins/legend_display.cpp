@@ -6,7 +6,6 @@
 #include <ros/message_traits.h>
 #include <rviz/properties/enum_property.h>
 #include <rviz/properties/int_property.h>
-#include <rviz/properties/ros_topic_property.h>
 
 #include <rviz_plugins/image_overlay.h>
 #include <rviz_plugins/legend_image.h>
@@ -17,8 +16,7 @@ using cable_variation::Legend;
 using rviz::StatusProperty;
 
 LegendDisplay::LegendDisplay()
-    : topic_(new rviz::RosTopicProperty("Topic", "", ros::message_traits::datatype<Legend>(),
-                                        "cable_variation/Legend, latched", this, SLOT(subscribe()))),
+    : TopicDisplay(ros::message_traits::datatype<Legend>(), "no legend yet: nothing is coloured"),
       corner_(new rviz::EnumProperty("Corner", "Top Right", "of the view", this, SLOT(place()))),
       margin_(
           new rviz::IntProperty("Margin", 10, "from the edges of the view [pixels]", this, SLOT(place()))),
@@ -40,32 +38,13 @@ void LegendDisplay::onInitialize() {
   place();
 }
 
-void LegendDisplay::onEnable() { subscribe(); }
-
-void LegendDisplay::onDisable() {
-  subscriber_.shutdown();
-  legend_.reset();
-  draw();
+ros::Subscriber LegendDisplay::listen(ros::NodeHandle& node, const std::string& topic) {
+  return node.subscribe(topic, 1, &LegendDisplay::receive, this);
 }
 
-void LegendDisplay::setTopic(const QString& topic, const QString& /*datatype*/) { topic_->setString(topic); }
-
-void LegendDisplay::reset() {
-  Display::reset();
-  subscribe();
-}
-
-void LegendDisplay::subscribe() {
-  subscriber_.shutdown();
+void LegendDisplay::forget() {
   legend_.reset();
   draw();
-  if (!isEnabled() || topic_->getTopicStd().empty()) return;
-  try {
-    subscriber_ = update_nh_.subscribe(topic_->getTopicStd(), 1, &LegendDisplay::receive, this);
-    setStatus(StatusProperty::Ok, "Topic", "no legend yet: nothing is coloured");
-  } catch (const ros::Exception& error) {
-    setStatusStd(StatusProperty::Error, "Topic", error.what());
-  }
 }
 
 void LegendDisplay::receive(const cable_variation::LegendConstPtr& legend) {

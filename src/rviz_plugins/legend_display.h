@@ -1,8 +1,9 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
-#include <rviz/display.h>
+#include <rviz_plugins/displays/topic_display.h>
 
 #ifndef Q_MOC_RUN
 #include <cable_variation/Legend.h>
@@ -11,7 +12,6 @@
 namespace rviz {
 class EnumProperty;
 class IntProperty;
-class RosTopicProperty;
 }  // namespace rviz
 
 namespace cable_variation_rviz {
@@ -20,34 +20,28 @@ class ImageOverlay;
 
 /// What the colours in the view mean: the latest Legend of a topic in a corner of the view. An empty legend
 /// hides it.
-class LegendDisplay : public rviz::Display {
+class LegendDisplay : public TopicDisplay {
   Q_OBJECT
 
  public:
   LegendDisplay();
   ~LegendDisplay() override;
 
-  void setTopic(const QString& topic, const QString& datatype) override;
-  void reset() override;
-
  protected:
   void onInitialize() override;
-  void onEnable() override;
-  void onDisable() override;
+  ros::Subscriber listen(ros::NodeHandle& node, const std::string& topic) override;
+  void forget() override;
 
  private Q_SLOTS:
-  void subscribe();
   void place();
   void draw();
 
  private:
   void receive(const cable_variation::LegendConstPtr& legend);
 
-  rviz::RosTopicProperty* topic_;
   rviz::EnumProperty* corner_;
   rviz::IntProperty* margin_;
   rviz::IntProperty* text_height_;
-  ros::Subscriber subscriber_;
   cable_variation::LegendConstPtr legend_;
   std::unique_ptr<ImageOverlay> overlay_;
 };

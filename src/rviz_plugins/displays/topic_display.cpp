@@ -10,10 +10,11 @@ namespace cable_variation_rviz {
 
 using rviz::StatusProperty;
 
-TopicDisplay::TopicDisplay(const std::string& datatype)
+TopicDisplay::TopicDisplay(const std::string& datatype, const char* waiting)
     : topic_(new rviz::RosTopicProperty("Topic", "", QString::fromStdString(datatype),
                                         QString::fromStdString(datatype) + ", latched", this,
-                                        SLOT(subscribe()))) {}
+                                        SLOT(subscribe()))),
+      waiting_(waiting) {}
 
 void TopicDisplay::onEnable() { subscribe(); }
 
@@ -36,7 +37,7 @@ void TopicDisplay::subscribe() {
   if (!isEnabled() || topic_->getTopicStd().empty()) return;
   try {
     subscriber_ = listen(update_nh_, topic_->getTopicStd());
-    setStatus(StatusProperty::Ok, "Topic", "no message yet");
+    setStatus(StatusProperty::Ok, "Topic", waiting_);
   } catch (const ros::Exception& error) {
     setStatusStd(StatusProperty::Error, "Topic", error.what());
   }

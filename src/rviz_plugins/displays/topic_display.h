@@ -26,7 +26,8 @@ class TopicDisplay : public rviz::Display {
 
  protected:
   /// @param datatype of the messages
-  explicit TopicDisplay(const std::string& datatype);
+  /// @param waiting what the status says until there is one
+  explicit TopicDisplay(const std::string& datatype, const char* waiting = "no message yet");
 
   void onEnable() override;
   void onDisable() override;
@@ -44,6 +45,7 @@ class TopicDisplay : public rviz::Display {
 
  private:
   rviz::RosTopicProperty* topic_;
+  const char* waiting_;
   ros::Subscriber subscriber_;
   std::string frame_;
   Ogre::Vector3 origin_ = Ogre::Vector3::ZERO;
