@@ -149,15 +149,7 @@ void YamlText::addEntry(const YAML::Node& map, const std::string& behind, const 
 }
 
 void YamlText::addItem(const YAML::Node& map, const std::string& list, const std::string& item) {
-  const auto range = valueOf(map, list);
-  const YAML::Node items = range ? map[list] : YAML::Node();
-  if (!range || items.size() == 0) {
-    const std::size_t end = text_.size();
-    const bool open_line = end > 0 && text_[end - 1] != '\n';
-    if (range) replace({range->begin, range->end}, "\n  - " + item);
-    if (!range) replace({end, end}, (open_line ? "\n" : "") + list + ":\n  - " + item + "\n");
-    return;
-  }
+  const YAML::Node items = map[list];
   const YAML::Node last = items[items.size() - 1];
   const std::size_t end = endOfItem(last);
   if (isFlow(text_, items)) {

@@ -31,8 +31,7 @@ class YamlText {
   /// Adds a key with its value behind the entry of another one, which must be there.
   void addEntry(const YAML::Node& map, const std::string& behind, const std::string& key,
                 const std::string& value);
-  /// Adds an item, a text on one line, behind the last one of the list that a map has; without one, the list
-  /// to the end of the text.
+  /// Adds an item, a text on one line, behind the last one of the list that a map has; there must be one.
   void addItem(const YAML::Node& map, const std::string& list, const std::string& item);
 
   /// The text with all edits.
