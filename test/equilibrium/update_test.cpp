@@ -1,6 +1,7 @@
 // update() follows a shape to where solve() would find it, when the harness changes in numbers.
 
 #include <functional>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -122,6 +123,49 @@ TEST(UpdateRoundTrip, ReturnsToItsShape) {
   const Equilibrium back = solver.update(home);
   ASSERT_TRUE(back.converged()) << back.message;
   EXPECT_LT(largestDistanceBetween(first, back), 2.0 * kAccuracy);
+}
+
+std::size_t sectionsOf(const Equilibrium& equilibrium) {
+  std::size_t count = 0;
+  for (const CableShape& shape : equilibrium.shapes) count += shape.points.size();
+  return count;
+}
+
+// A pose on the way may need a fine grid; those after it are not slower for that, and no less right.
+TEST(UpdateThroughAHardPose, LeavesTheFineGridAgain) {
+  std::mt19937 random(8);
+  std::uniform_real_distribution<double> share(-1.0, 1.0);
+  int grown = 0, compared = 0;
+  for (const Harness& home : {caseH(), caseW()}) {
+    EquilibriumSolver alone = solverAt(kAccuracy);
+    const std::size_t first = sectionsOf(alone.solve(home));
+    for (int round = 0; round < 20; ++round) {
+      EquilibriumSolver solver = solverAt(kAccuracy);
+      solver.solve(home);
+      Harness hard = home;
+      Pose& pose = hard.clips[1].pose;
+      pose = pose * poseAt(0.06 * share(random), 0.06 * share(random), 0.06 * share(random),
+                           {2.0 * share(random), 2.0 * share(random), 2.0 * share(random)});
+      const Equilibrium there = solver.update(hard);
+      if (!there.converged() || sectionsOf(there) <= first) continue;
+      ++grown;
+      for (int i = 0; i < 8; ++i) {
+        Harness near = home;
+        near.clips[1].pose.position += 5e-4 * Eigen::Vector3d(share(random), share(random), share(random));
+        const Equilibrium back = solver.update(near), right = alone.update(near);
+        ASSERT_TRUE(back.converged() && right.converged());
+        if (i == 7) {
+          EXPECT_LE(sectionsOf(back), first);
+        }
+        const double distance = largestDistanceBetween(back, right);
+        if (distance > 0.01) continue;  // it went over to another branch on the way there
+        ++compared;
+        EXPECT_LT(distance, 2.0 * kAccuracy);
+      }
+    }
+  }
+  EXPECT_GE(grown, 5);
+  EXPECT_GE(compared, 5 * grown);
 }
 
 // It keeps to its own shape although another has less energy: a slack strip, stiff sideways, that bows up.

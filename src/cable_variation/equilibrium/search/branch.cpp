@@ -38,6 +38,22 @@ Harness withMoments(const Harness& harness, double share) {
   return scaled;
 }
 
+std::size_t elementsOf(const Grid& grid) {
+  std::size_t count = 0;
+  for (const auto& boundaries : grid) count += boundaries.size() - 1;
+  return count;
+}
+
+// Of nodes [m], between two configurations on one grid.
+double largestMotion(const Configuration& from, const Configuration& to) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < from.spans.size(); ++i) {
+    for (std::size_t k = 0; k < from.spans[i].positions.size(); ++k)
+      largest = std::max(largest, (to.spans[i].positions[k] - from.spans[i].positions[k]).norm());
+  }
+  return largest;
+}
+
 int piecesOf(double turn) { return std::max(1, static_cast<int>(std::ceil(turn / kLargestPiece))); }
 
 }  // namespace
@@ -128,18 +144,47 @@ bool Branch::growMoments(const Harness& harness, Equilibrium& result) {
   return true;
 }
 
-// Splits the pairs of elements that are marked; the shape and its section forces are carried over. Returns
-// what was there before.
-Branch::OnGrid Branch::refineGrid(const std::vector<std::vector<bool>>& marked,
-                                  const std::vector<CableShape>& shapes) {
+// The shape and its section forces are carried over. Returns what was there before.
+Branch::OnGrid Branch::regrid(const Grid& grid, const std::vector<CableShape>& shapes) {
   OnGrid before{std::move(problem_.system), std::move(problem_.coarse), std::move(problem_.configuration)};
   before.system->holdStress();
-  problem_.setGrid(refine(before.system->grid(), marked));
+  problem_.setGrid(grid);
   problem_.system->takeStress(*before.system);
   problem_.configuration = onGrid(problem_.topology, before.configuration, shapes, problem_.system->grid());
   problem_.system->soften(softened_, problem_.configuration);
   problem_.coarse->soften(softened_, problem_.configuration);
   return before;
+}
+
+// A harness on the way may need a finer grid than those after it: to stay on it would slow all of them down
+// for good, so that the grid that following began with is tried again. The shape at hand must be the same
+// there.
+void Branch::returnToGrid() {
+  constexpr int kLongest = 64;         // that the finer grid is kept before the next try, in harnesses
+  constexpr double kSameShape = 10.0;  // what the shape may move by, of the accuracy
+  const Grid& grid = problem_.system->grid();
+  if (first_grid_.empty()) first_grid_ = grid;
+  if (elementsOf(grid) <= elementsOf(first_grid_)) {
+    keep_ = std::max(1, keep_ / 2);
+    left_ = 0;
+    return;
+  }
+  if (left_ == 0) {
+    left_ = keep_;
+    keep_ = std::min(2 * keep_, kLongest);
+  }
+  if (--left_ > 0 || unstable_) return;
+  const std::vector<CableShape> shapes =
+      describeShapes(problem_.harness, problem_.topology, *problem_.system, problem_.configuration);
+  OnGrid fine = regrid(first_grid_, shapes);
+  const Configuration before = problem_.configuration;
+  Equilibrium cost;
+  if (descend(false, StartStress::held, cost) &&
+      largestMotion(before, problem_.configuration) <= kSameShape * options_.accuracy)
+    return;
+  restoreGrid(std::move(fine));
+  problem_.system->evaluate(problem_.configuration, RodSystem::Hessian::exact);
+  problem_.system->factorise(neutralShift(*problem_.system), problem_.system->bendingMetric());
 }
 
 void Branch::restoreGrid(OnGrid before) {
@@ -202,7 +247,7 @@ bool Branch::adaptGrid(double accuracy, bool forces, Equilibrium& result) {
     } else if (round >= most_rounds) {
       break;
     }
-    before = refineGrid(pairsThatMatter(error, forces), result.shapes);
+    before = regrid(refine(problem_.system->grid(), pairsThatMatter(error, forces)), result.shapes);
     if (descend(unstable_ || !problem_.system->conservative(), StartStress::held, result)) continue;
     if (!(error.centreline <= accuracy)) break;
     restoreGrid(std::move(before));  // leaves it as good as it was
@@ -264,7 +309,7 @@ void Branch::findEigenvalue(Equilibrium& result) {
     if (std::abs(on_merged - result.smallest_eigenvalue) <= kOrderFour * allowed) return;
     std::vector<std::vector<bool>> all;
     for (std::size_t i = 0; i < coarse.grid().size(); ++i) all.emplace_back(coarse.elementCount(i), true);
-    OnGrid before = refineGrid(all, result.shapes);
+    OnGrid before = regrid(refine(system.grid(), all), result.shapes);
     if (!descend(false, StartStress::held, result)) {  // leaves it as good as it was
       restoreGrid(std::move(before));
       return;
@@ -350,6 +395,7 @@ void Branch::carryTo(const Harness& harness, Topology topology) {
 }
 
 bool Branch::follow(const Harness& harness, const Topology& topology, Equilibrium& result) {
+  returnToGrid();
   double turn = 0.0;
   for (std::size_t i = 0; i < harness.clips.size(); ++i) {
     const auto& from = problem_.harness.clips[i].pose.orientation;

@@ -61,8 +61,9 @@ class Branch {
     std::unique_ptr<RodSystem> system, coarse;
     Configuration configuration;
   };
-  OnGrid refineGrid(const std::vector<std::vector<bool>>& marked, const std::vector<CableShape>& shapes);
+  OnGrid regrid(const Grid& grid, const std::vector<CableShape>& shapes);
   void restoreGrid(OnGrid before);
+  void returnToGrid();
   std::vector<std::vector<bool>> pairsThatMatter(const DiscretisationError& error, bool forces) const;
   bool overstretched(Equilibrium& result) const;
   bool lostInRounding(Equilibrium& result) const;
@@ -74,6 +75,9 @@ class Branch {
   double softened_ = INFINITY;  // slenderness that the systems are softened to
   bool unstable_ = false;
   double force_error_ = 0.0;
+  Grid first_grid_;  // that following began with; empty: it has not begun
+  int keep_ = 1;     // how many harnesses a finer grid is kept for
+  int left_ = 0;     // how many of them are left
 };
 
 /// More stretch than this is outside what a linear law and a real cable bear.
