@@ -1,7 +1,6 @@
 // Polygons become triangles that cover the same, however many corners they have, and in bounded time.
 #include <cable_variation/geometry/mesh/soup_builder.h>
 
-#include <chrono>
 #include <cmath>
 #include <numeric>
 #include <random>
@@ -11,6 +10,8 @@
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
+
+#include "cpu_time.h"
 
 namespace cable_variation {
 namespace {
@@ -41,10 +42,10 @@ Divided divided(const Outline& outline) {
   std::vector<std::uint32_t> corners;
   for (const Eigen::Vector2d& at : outline)
     corners.push_back(builder.vertex(turn * Eigen::Vector3d(at.x(), at.y(), 0.3)));
-  const auto start = std::chrono::steady_clock::now();
+  const test::CpuTime start;
   builder.polygon(corners);
   Divided result;
-  result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  result.seconds = start.seconds();
   const TriangleMesh mesh = builder.take();
   result.triangles = mesh.triangles.size();
   for (const auto& [a, b, c] : mesh.triangles) {
@@ -130,7 +131,7 @@ TEST(Polygon, ofManyCornersTakesLittleTime) {
 // Whatever cannot be divided in some seconds is refused then, a single polygon or many.
 TEST(Polygon, thatTakesTooLongIsRefused) {
   std::mt19937_64 random(12);
-  const auto start = std::chrono::steady_clock::now();
+  const test::CpuTime start;
   for (const Outline& outline : {comb(200000), spiral(200000), star(random, 200000, 0.9)}) {
     try {
       divided(outline);
@@ -138,7 +139,7 @@ TEST(Polygon, thatTakesTooLongIsRefused) {
       EXPECT_NE(std::string(error.what()).find("corners that turn inwards"), std::string::npos);
     }
   }
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(60));
+  EXPECT_LT(start.seconds(), 60.0);
 }
 
 // Outlines that cross themselves, repeat corners or have no area have no triangles that are right: any, of

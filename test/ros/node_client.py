@@ -21,6 +21,7 @@ class NodeTest(unittest.TestCase):
     """A test case with tf, topics and services, none of which can hang it."""
 
     TIMEOUT = 20.0  # [s]; generous, the machine may be busy
+    PROMPT = 5.0  # [s] for what takes a fraction of a second, likewise; how long it took is printed
 
     @classmethod
     def setUpClass(cls):
@@ -43,6 +44,10 @@ class NodeTest(unittest.TestCase):
                 return answer
             time.sleep(0.02)
         return self.fail('not within %g s: %s' % (self.TIMEOUT, what))
+
+    def assertPrompt(self, seconds, what):
+        print('%s took %.3f s' % (what, seconds))
+        self.assertLess(seconds, self.PROMPT, what)
 
     def finished(self, client, patience=TIMEOUT):
         """Whether a goal ended in time. Other than wait_for_result(), this does not miss an answer that overtook

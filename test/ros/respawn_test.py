@@ -68,13 +68,12 @@ class RespawnTest(NodeTest):
             new_clips=[NewClip(name='more than a ring', type='eyelet', cable='strand', arc_length=0.17, pose=added)],
             clips=[ClipEdit(clip='A', rotation=Vector3(0.02, 0, 0.01))]).status)
         self.assertSuccess(self.ask('set_attachment', SetAttachment, clip='ring', attached=True, reach=0.2).status)
-        time.sleep(0.3)  # so it is in the file
+        time.sleep(1)  # so it is in the file
         before = self.figures()
         self.assertEqual(len(before[0].clips), 5)
         seconds = self.respawned()
         self.assertSameFigures(self.figures(), before)
-        self.assertLess(seconds, 10)
-        print('answers %.2f s after it is up' % seconds)
+        self.assertPrompt(seconds, 'an answer of the solver that is up again')
         # the next edit goes on from there, and a reset leads back
         self.assertSuccess(self.ask('set_design', SetDesign, variables=['b_z'], values=[0.01]).status)
         self.respawned()
@@ -82,13 +81,13 @@ class RespawnTest(NodeTest):
         self.assertEqual(nominal['b_z'], 0.01)
         self.assertTrue(self.ask('reset_design', Trigger).success)
         self.assertEqual(len(self.figures()[0].clips), 4)
-        time.sleep(0.3)
+        time.sleep(1)
         self.respawned()
         self.assertEqual(len(self.figures()[0].clips), 4)
 
     def test_it_is_in_force_as_soon_as_it_is_answered(self):
         """What was answered SUCCESS is not lost, unless it came within a tenth of a second after another edit."""
-        time.sleep(0.3)
+        time.sleep(1)
         self.assertSuccess(self.ask('set_design', SetDesign, variables=['b_z'], values=[0.004]).status)
         self.respawned()
         self.assertEqual(self.latched('/cable_solver/design', DesignState).nominal, (0.004,))
@@ -101,7 +100,7 @@ class RespawnTest(NodeTest):
             pose = Pose(Point(0.3, 0, 0), Quaternion(0, math.sin(half), 0, math.cos(half)))
             self.assertSuccess(self.ask('set_design', SetDesign, components=[
                 ComponentEdit(component='holder', pose=pose)]).status)
-        time.sleep(0.3)
+        time.sleep(1)
         before = self.figures()
         self.respawned()
         state = self.latched('/cable_solver/design', DesignState)
@@ -128,7 +127,7 @@ class RespawnTest(NodeTest):
                 process.wait(self.TIMEOUT)
             process = run()
             self.assertSuccess(self.ask('set_design', SetDesign, '/kept/', variables=['b_z'], values=[0.004]).status)
-            time.sleep(0.3)
+            time.sleep(1)
             end(process)
             with open(path, 'rb') as file:
                 whole = file.read()
@@ -156,7 +155,7 @@ class RespawnTest(NodeTest):
                 process = run()
                 self.assertEqual(nominal(), 0)
                 self.assertSuccess(self.ask('set_design', SetDesign, '/kept/', variables=['b_z'], values=[0.004]).status)
-                time.sleep(0.3)
+                time.sleep(1)
                 end(process)
                 with open(path, 'rb') as file:
                     self.assertEqual(file.read(), other)

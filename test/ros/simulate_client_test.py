@@ -91,7 +91,7 @@ class SimulateClientTest(NodeTest):
         self.assertRegex(shown, rb'cancelled after \d+ of 1000000000 samples')
         self.assertRegex(printed, r'clearance +mm')
         self.assertRegex(printed, r'[\d,]+ samples: ')
-        self.assertLess(took, 5.0)  # asked every half second; a busy machine
+        self.assertPrompt(took, 'the end at Ctrl-C')
 
 
 if __name__ == '__main__':

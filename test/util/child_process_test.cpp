@@ -53,7 +53,7 @@ TEST(ChildProcess, EndsWhatDoesNotEnd) {
   for (const char* script : {"sleep 100", "exec sleep 100", "exec sleep 100 >&-", "while :; do :; done"}) {
     const auto start = std::chrono::steady_clock::now();
     EXPECT_EQ(shell(script, "", 0.3).end, ChildRun::End::took_too_long) << script;
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5)) << script;
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(30)) << script;
   }
   EXPECT_EQ(shell("yes", "", 30.0, 100000).end, ChildRun::End::wrote_too_much);
 }
