@@ -7,6 +7,8 @@ import time
 import actionlib
 import rospy
 
+from solver_client import INTERRUPTED
+
 PATIENCE = 30.0  # for the solver to show up, and to say that it stopped [s]
 
 
@@ -81,6 +83,3 @@ def act(node, action, kind, goal, line, draw):
         stopping = time.time() - asked
     line.clear()
     return client.get_result(), stopping
-
-
-INTERRUPTED = 130  # exit code, as a shell says that SIGINT ended a program

@@ -59,12 +59,12 @@ def parse_variable(text):
     return name, parse_value(value)
 
 
-def start(name, disable_signals=False):
-    """Becomes a node; SystemExit without a ROS master."""
+def start(name):
+    """Becomes a node; SystemExit without a ROS master. Ctrl-C stays what it is in Python, see run()."""
     if not rosgraph.is_master_online():
         sys.exit('no ROS master at %s' % rosgraph.get_master_uri())
     # What goes wrong the client says itself, in one line.
-    rospy.init_node(name, anonymous=True, disable_signals=disable_signals, log_level=rospy.FATAL)
+    rospy.init_node(name, anonymous=True, disable_signals=True, log_level=rospy.FATAL)
 
 
 def nearest_service(name):
@@ -100,11 +100,17 @@ def scene_of(node):
     return scene
 
 
+INTERRUPTED = 130  # exit code, as a shell says that SIGINT ended a program
+
+
 def run(main):
-    """Runs main(); a reader that has read enough, as head(1) does, is no error."""
+    """Runs main(); a reader that has read enough, as head(1) does, is no error, and Ctrl-C ends it with a line."""
     try:
         main()
         sys.stdout.flush()
+    except KeyboardInterrupt:
+        print('%s: interrupted' % os.path.basename(sys.argv[0]), file=sys.stderr)
+        sys.exit(INTERRUPTED)
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
 
