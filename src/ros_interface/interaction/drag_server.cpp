@@ -14,6 +14,7 @@
 #include <ros_interface/conversion/message_conversion.h>
 #include <ros_interface/conversion/same_poses.h>
 #include <ros_interface/interaction/added_clip.h>
+#include <ros_interface/interaction/mouse_pose.h>
 #include <ros_interface/node/names.h>
 #include <ros_interface/node/queued_call.h>
 #include <ros_interface/request/name_lookup.h>
@@ -107,10 +108,15 @@ void DragServer::follow() {
   const DragTarget target = dragTargetOf(dragged_);
   remember(target);
   edit(target, [&](Design& design) {
+    const Pose before = before_.at(target.markerName()).value_or(Pose());
     if (target.kind == Kind::clip) {
       placeClip(design, target.name, wanted_, context_.moved());
+      const std::size_t index = indexOf(target.name, design.scene.harness.clips, "clip");
+      setClipPose(design, target.name, mousePose(before, design.scene.clip_mounts[index].pose));
     } else {
       placeComponent(design, target.name, wanted_, context_.onTf());
+      Pose& shift = design.shifts[target.name];
+      shift = mousePose(before, shift);
     }
   });
 }
