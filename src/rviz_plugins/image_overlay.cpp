@@ -1,6 +1,7 @@
 #include <rviz_plugins/image_overlay.h>
 
 #include <atomic>
+#include <set>
 
 #include <OgreMaterialManager.h>
 #include <OgrePass.h>
@@ -19,6 +20,11 @@ namespace {
 std::string uniqueName() {
   static std::atomic<unsigned> count{0};
   return "cable_variation/image_overlay/" + std::to_string(count++);
+}
+
+std::set<const ImageOverlay*>& all() {
+  static std::set<const ImageOverlay*> overlays;  // used by RViz's thread alone
+  return overlays;
 }
 
 const Ogre::String& group() { return Ogre::ResourceGroupManager::DEFAULT_RESOURCE_GROUP_NAME; }
@@ -40,9 +46,11 @@ ImageOverlay::ImageOverlay() : name_(uniqueName()), texture_(name_) {
   panel_->setMetricsMode(Ogre::GMM_PIXELS);
   panel_->setMaterialName(name_);
   overlay_->add2D(panel_);
+  all().insert(this);
 }
 
 ImageOverlay::~ImageOverlay() {
+  all().erase(this);
   Ogre::OverlayManager& manager = Ogre::OverlayManager::getSingleton();
   overlay_->remove2D(panel_);
   manager.destroyOverlayElement(panel_);
@@ -69,6 +77,18 @@ void ImageOverlay::place() {
   panel_->setVerticalAlignment(bottom ? Ogre::GVA_BOTTOM : Ogre::GVA_TOP);
   panel_->setPosition(static_cast<float>(right ? -texture_.width() - margin_ : margin_),
                       static_cast<float>(bottom ? -texture_.height() - margin_ : margin_));
+}
+
+std::vector<QRectF> ImageOverlay::covered(QSizeF view) {
+  std::vector<QRectF> boxes;
+  for (const ImageOverlay* each : all()) {
+    if (!each->overlay_->isVisible()) continue;
+    QPointF corner(each->panel_->getLeft(), each->panel_->getTop());
+    if (each->panel_->getHorizontalAlignment() == Ogre::GHA_RIGHT) corner.rx() += view.width();
+    if (each->panel_->getVerticalAlignment() == Ogre::GVA_BOTTOM) corner.ry() += view.height();
+    boxes.emplace_back(corner, QSizeF(each->texture_.width(), each->texture_.height()));
+  }
+  return boxes;
 }
 
 void ImageOverlay::setVisible(bool visible) {

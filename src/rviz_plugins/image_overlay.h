@@ -1,6 +1,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
+
+#include <QRectF>
+#include <QSizeF>
 
 #include <rviz_plugins/image_texture.h>
 
@@ -27,6 +31,9 @@ class ImageOverlay {
   void setImage(const QImage& image);
   void setPlace(Corner corner, int margin);  ///< distance from the view's edges [px]
   void setVisible(bool visible);
+
+  /// What the visible ones cover of a view of that size [px], from its top left corner.
+  static std::vector<QRectF> covered(QSizeF view);
 
  private:
   void place();

@@ -102,9 +102,10 @@ TEST_F(Clearances, LimitsAreThoseOfTheScenesDistances) {
 }
 
 TEST_F(Clearances, TextTellsDistancePlaceAndTime) {
-  EXPECT_EQ(clearanceMarks(scene_, {to(0, "car", 0.004)}, false)[0].text, "envelope 4.0 mm at s = 231 mm");
+  EXPECT_EQ(clearanceMarks(scene_, {to(0, "car", 0.004)}, false)[0].text,
+            "envelope of main - car 4.0 mm at s = 231 mm");
   EXPECT_EQ(clearanceMarks(scene_, {to(0, "car", -0.0012)}, true)[0].text,
-            "envelope overlap 1.2 mm at s = 231 mm, t = 0.38 s");
+            "envelope of main - car overlap 1.2 mm at s = 231 mm, t = 0.38 s");
 }
 
 TEST_F(Clearances, MarkersAreAtBothPointsAndRed) {

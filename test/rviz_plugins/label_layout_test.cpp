@@ -51,6 +51,23 @@ TEST(LabelLayout, OfRandomOnesNoneCoversAnother) {
   }
 }
 
+TEST(LabelLayout, KeepsOffWhatIsCoveredAlready) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  const std::vector<QRectF> legends = {{690.0, 400.0, 300.0, 290.0}, {10.0, 10.0, 200.0, 80.0}};
+  std::vector<LabelWish> wishes;
+  for (int i = 0; i < 40; ++i)
+    wishes.push_back({{1000.0 * share(random), 700.0 * share(random)}, {90.0, 24.0}, 0});
+  const auto boxes = LabelLayout().place(wishes, kView, kStep, legends);
+  expectNoneOnAnother(boxes);
+  int placed = 0;
+  for (const auto& box : boxes) {
+    for (const QRectF& legend : legends) EXPECT_FALSE(box && box->intersects(legend));
+    placed += box ? 1 : 0;
+  }
+  EXPECT_GT(placed, 30);
+}
+
 TEST(LabelLayout, LeavesOutWhatIsOutOfView) {
   const auto boxes = LabelLayout().place({{{-5.0, 300.0}, {120.0, 24.0}, 0}}, kView, kStep);
   EXPECT_FALSE(boxes[0]);

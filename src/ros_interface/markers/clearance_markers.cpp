@@ -36,7 +36,8 @@ DistanceMark toMark(const Scene& scene, const EnvelopeClearance& clearance, cons
   mark.marker_namespace = kClearanceMarkers + scene.harness.cables[clearance.cable].name + "/" + other;
   mark.point = clearance.on_envelope;
   mark.other = clearance.on_other;
-  mark.text = "envelope " + distanceText(clearance.distance, clearance.arc_length);
+  mark.text = "envelope of " + scene.harness.cables[clearance.cable].name + " - " + other + " " +
+              distanceText(clearance.distance, clearance.arc_length);
   if (moving) {
     char time[32];
     std::snprintf(time, sizeof time, ", t = %.2f s", clearance.time);

@@ -25,11 +25,11 @@ QRectF boxAt(const LabelWish& wish, std::size_t place, double step) {
   return {centre - QPointF(0.5 * wish.size.width(), 0.5 * wish.size.height()), wish.size};
 }
 
-bool isFree(const QRectF& box, const QRectF& view, const std::vector<std::optional<QRectF>>& taken) {
+bool isFree(const QRectF& box, const QRectF& view, const std::vector<QRectF>& taken) {
   if (!view.contains(box)) return false;
   const QRectF wide = box.adjusted(-kGap, -kGap, kGap, kGap);
   return std::none_of(taken.begin(), taken.end(),
-                      [&](const std::optional<QRectF>& other) { return other && wide.intersects(*other); });
+                      [&](const QRectF& other) { return wide.intersects(other); });
 }
 
 /// How many of the anchors a box would cover.
@@ -41,7 +41,7 @@ long coveredBy(const QRectF& box, const std::vector<LabelWish>& wishes) {
 }  // namespace
 
 std::vector<std::optional<QRectF>> LabelLayout::place(const std::vector<LabelWish>& wishes, QSizeF view,
-                                                      double step) {
+                                                      double step, const std::vector<QRectF>& covered) {
   const QRectF inside(QPointF(0.0, 0.0), view);
   sides_.resize(wishes.size());
   std::vector<std::size_t> order(wishes.size());
@@ -49,6 +49,7 @@ std::vector<std::optional<QRectF>> LabelLayout::place(const std::vector<LabelWis
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return wishes[a].rank < wishes[b].rank; });
   std::vector<std::optional<QRectF>> boxes(wishes.size());
+  std::vector<QRectF> taken = covered;
   for (const std::size_t i : order) {
     const LabelWish& wish = wishes[i];
     std::optional<std::size_t>& side = sides_[i];
@@ -63,7 +64,7 @@ std::vector<std::optional<QRectF>> LabelLayout::place(const std::vector<LabelWis
       const auto ring = static_cast<double>(ringOf(place));
       if (best && ring >= least) break;
       const QRectF box = boxAt(wish, place, step);
-      if (!isFree(box, inside, boxes)) continue;
+      if (!isFree(box, inside, taken)) continue;
       const double cost = ring + 2.0 * static_cast<double>(coveredBy(box, wishes));
       if (!best || cost < least) {
         best = place;
@@ -71,12 +72,14 @@ std::vector<std::optional<QRectF>> LabelLayout::place(const std::vector<LabelWis
       }
     }
     // The place it had, if it is hardly worse.
-    if (best && side && isFree(boxAt(wish, *side, step), inside, boxes) &&
+    if (best && side && isFree(boxAt(wish, *side, step), inside, taken) &&
         ringOf(*side) <= ringOf(*best) + 1) {
       best = side;
     }
     side = best;
-    if (best) boxes[i] = boxAt(wish, *best, step);
+    if (!best) continue;
+    boxes[i] = boxAt(wish, *best, step);
+    taken.push_back(*boxes[i]);
   }
   return boxes;
 }

@@ -23,7 +23,9 @@ class LabelLayout {
  public:
   /// A place for each label; none: its anchor is out of view, or there is no room for it.
   /// @param step between distances tried [px]
-  std::vector<std::optional<QRectF>> place(const std::vector<LabelWish>& wishes, QSizeF view, double step);
+  /// @param covered where there is something else, as a legend
+  std::vector<std::optional<QRectF>> place(const std::vector<LabelWish>& wishes, QSizeF view, double step,
+                                           const std::vector<QRectF>& covered = {});
   /// The labels are others now.
   void forget() { sides_.clear(); }
 

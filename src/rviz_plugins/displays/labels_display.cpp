@@ -20,6 +20,7 @@
 
 #include <rviz_plugins/displays/label_overlay.h>
 #include <rviz_plugins/displays/message_checks.h>
+#include <rviz_plugins/image_overlay.h>
 
 namespace cable_variation_rviz {
 
@@ -147,7 +148,7 @@ bool LabelsDisplay::frameStarted(const Ogre::FrameEvent& /*event*/) {
     anchors.push_back(pixelOf(point, seen, size));
     wishes.push_back({anchors.back(), sheet.texts[i].size(), rankOf(shown_[i])});
   }
-  boxes_ = layout_.place(wishes, size, 1.5 * text_height_->getInt());
+  boxes_ = layout_.place(wishes, size, 1.5 * text_height_->getInt(), ImageOverlay::covered(size));
   overlay_->draw(anchors, boxes_, size);
   return true;
 }
