@@ -71,7 +71,8 @@ InteractiveMarker dragMarker(const DragTarget& target, const Pose& pose, double 
                              bool changed) {
   constexpr double kHandle = 0.3;  // of the size of the whole
   InteractiveMarker marker = markerOf(target, pose, size);
-  marker.description = open ? target.name : "";
+  // a clip's name stands among the labels already
+  if (open && target.kind != DragTarget::Kind::clip) marker.description = target.name;
   MarkerGroup look("", "", changed ? kChanged : kIdle);
   if (target.kind == DragTarget::Kind::clip) {
     look.addSphere(Eigen::Vector3d::Zero(), 0.5 * kHandle * size);
