@@ -6,13 +6,14 @@
 #include <ros_interface/conversion/enum_names.h>
 #include <ros_interface/conversion/scene_loading.h>
 #include <ros_interface/node/names.h>
+#include <ros_interface/node/node_end.h>
 
 namespace cable_variation_ros {
 
 namespace {
 
 /// A service cannot be cancelled, but the node ends.
-bool whileRosRuns(const cable_variation::Progress& /*progress*/) { return ros::ok(); }
+bool whileNodeRuns(const cable_variation::Progress& /*progress*/) { return goesOn(); }
 
 void warnOfDriven(const cable_variation::Scene& scene) {
   for (const cable_variation::Component& component : scene.components) {
@@ -54,13 +55,13 @@ CableSolver::CableSolver(ros::NodeHandle node, const CableSolverParameters& para
       envelopes_(runner_, envelope_, kGenerateEnvelopeService),
       generate_envelope_(node_, kGenerateEnvelopeService,
                          [this](const cable_variation::GenerateEnvelopeRequest& request) {
-                           return envelopes_.run(request, whileRosRuns);
+                           return envelopes_.run(request, whileNodeRuns);
                          }),
       generate_envelope_action_(node_, kGenerateEnvelopeAction, envelopes_),
       simulations_(runner_, variation_, kSimulateVariationService),
       simulate_variation_(node_, kSimulateVariationService,
                           [this](const cable_variation::SimulateVariationRequest& request) {
-                            return simulations_.run(request, whileRosRuns);
+                            return simulations_.run(request, whileNodeRuns);
                           }),
       simulate_variation_action_(node_, kSimulateVariationAction, simulations_) {
   context_.setAuthor(parameters.author);

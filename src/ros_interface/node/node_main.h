@@ -4,9 +4,11 @@
 #include <cstdio>
 #include <string>
 
+#include <ros/console.h>
 #include <ros/init.h>
 #include <ros/node_handle.h>
-#include <ros/console.h>
+
+#include <ros_interface/node/node_end.h>
 
 namespace cable_variation_ros {
 
@@ -32,11 +34,13 @@ int runNode(int argc, char** argv, const char* name, const char* help,
     return 0;
   }
   std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error that is told, not the end
-  ros::init(argc, argv, name);
+  ros::init(argc, argv, name, ros::init_options::NoSigintHandler);
+  endOnSignals();
   ros::NodeHandle node("~");
+  endOnRequest();
   try {
     Node running(node, read_parameters(node));
-    ros::spin();
+    spinUntilTheEnd();
   } catch (const std::exception& error) {
     ROS_FATAL("%s", error.what());
     return 1;

@@ -5,8 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include <ros/init.h>
-
 #include <cable_variation/equilibrium/require_converged.h>
 #include <cable_variation/report/path_section.h>
 #include <cable_variation/util/chosen_indices.h>
@@ -17,6 +15,7 @@
 #include <ros_interface/display/path_publisher.h>
 #include <ros_interface/markers/path_markers.h>
 #include <ros_interface/node/names.h>
+#include <ros_interface/node/node_end.h>
 #include <ros_interface/node/spinning_thread.h>
 #include <ros_interface/request/name_registry.h>
 #include <ros_interface/request/request_status.h>
@@ -63,7 +62,7 @@ PathCheck followed(const Question& question) {
   task.path = question.request.path;
   task.attachments = question.request.over_motions;
   task.step = question.request.step;
-  return checkPath(std::move(task), *question.evaluator, [](double) { return ros::ok(); });
+  return checkPath(std::move(task), *question.evaluator, [](double) { return goesOn(); });
 }
 
 void writeReport(const std::string& name, const Question& question, const PathCheck& check,

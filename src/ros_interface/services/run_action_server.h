@@ -9,6 +9,7 @@
 #include <cable_variation/Status.h>
 
 #include <ros_interface/conversion/progress_conversion.h>
+#include <ros_interface/node/node_end.h>
 #include <ros_interface/node/same_fields.h>
 #include <ros_interface/runs/request_runner.h>
 #include <ros_interface/services/client_watch.h>
@@ -56,7 +57,7 @@ class RunActionServer {
         server_.publishFeedback(feedback);
         told = elapsed;
       }
-      return ros::ok() && !server_.isPreemptRequested() && !clientHasGone();
+      return goesOn() && !server_.isPreemptRequested() && !clientHasGone();
     };
     end(sameFields<Result>(runner_.run(sameFields<typename Run::Request>(goal), watch)));
   }
