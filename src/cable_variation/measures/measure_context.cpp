@@ -1,5 +1,7 @@
 #include <cable_variation/measures/measure_context.h>
 
+#include <cable_variation/scene/measure_place.h>
+
 namespace cable_variation {
 
 MeasureContext::MeasureContext(const Scene& of, const SolvedScene& solved)
@@ -25,9 +27,8 @@ CableRates MeasureRates::cable(std::size_t index) const {
 }
 
 NamedPlace::NamedPlace(const MeasureContext& context, std::size_t cable, double arc_length) {
-  constexpr double kEnd = 1.0 - 1e-9;  // of the length
   const CableView& view = context.cables[cable];
-  const bool end = arc_length >= kEnd * context.scene.harness.cables[cable].length;
+  const bool end = isEnd(arc_length, context.scene.harness.cables[cable].length);
   place = end ? Place{view.pieces().size() - 1, 1.0} : view.at(arc_length);
   at_end = view.isEnd(place);
 }

@@ -11,6 +11,7 @@
 #include <cable_variation/scene/cable_property.h>
 #include <cable_variation/scene/deviations.h>
 #include <cable_variation/scene/design_target.h>
+#include <cable_variation/scene/measure_place.h>
 #include <cable_variation/harness/clip_preset.h>
 #include <cable_variation/util/name_list.h>
 
@@ -37,6 +38,18 @@ std::optional<double> quantityOf(const Harness& harness, const DesignTarget& tar
   return propertyOf(harness.cables[property->cable], property->property);
 }
 
+/// Measures at the ends of cables are at those of `edited`.
+void keepEnds(Scene& scene, const Harness& edited) {
+  for (Measure& measure : scene.measures) {
+    if (measure.cables.empty()) continue;
+    const std::size_t cable = measure.cables.front();
+    const double before = scene.harness.cables[cable].length, after = edited.cables[cable].length;
+    for (double* place : {measure.arc_length ? &*measure.arc_length : nullptr, &measure.from, &measure.to}) {
+      if (place != nullptr && isEnd(*place, before)) *place = after;
+    }
+  }
+}
+
 /// Makes `value` the scene's own for what `variable` sets, and for what follows from it.
 void setQuantity(Scene& scene, const DesignVariable& variable, double value) {
   Scene edited = scene;
@@ -47,6 +60,7 @@ void setQuantity(Scene& scene, const DesignVariable& variable, double value) {
     if (const auto quantity = quantityOf(edited.harness, other.target)) other.nominal = *quantity;
     if (sameQuantity(other.target, variable.target)) other.nominal = value;
   }
+  keepEnds(scene, edited.harness);
   scene.harness = std::move(edited.harness);
 }
 
