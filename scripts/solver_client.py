@@ -51,6 +51,13 @@ def parse_value(text):
         raise argparse.ArgumentTypeError("'%s': expected a number, in SI units, mm or deg" % text)
 
 
+def parse_length(text):
+    """A number in m or mm as metres."""
+    if text.rstrip().endswith(('deg', 'rad')):
+        raise argparse.ArgumentTypeError("'%s': is an angle; expected a length, in m or mm" % text)
+    return parse_value(text)
+
+
 def parse_variable(text):
     """NAME=VALUE, in SI units, mm or deg, as (name, SI value)."""
     name, equals, value = text.partition('=')

@@ -317,6 +317,28 @@ void expectRefused(const std::function<void()>& work, const std::string& words) 
   }
 }
 
+// A holder that shakes by a millimetre: a step of 5 mm passes over most of the poses.
+TEST(PathCheck, RecordedPosesThatAreNotLookedAtAreTold) {
+  Design design = designOf("test/ros/data/attachments.yaml");
+  Motion& motion = design.scene.motions.front();
+  const Pose home = motion.samples.front().pose;
+  motion.samples.clear();
+  for (int i = 0; i <= 20; ++i) {
+    Pose pose = home;
+    pose.position.z() += i % 2 == 0 ? 0.0 : 1e-3;
+    motion.samples.push_back({0.01 * i, pose});
+  }
+  design.scene.attachments.clear();
+  const AtRest strand(std::move(design));
+  const ComponentPath path = pathOfMotions(strand.design, {}, {0}, 0.0, 0.2);
+  const PathCheck coarse = strand.check(path), fine = strand.check(path, 5e-4);
+  ASSERT_EQ(coarse.warnings.size(), 1u);
+  const std::string expected = std::to_string(coarse.samples.size()) + " of 21 recorded poses are looked at";
+  EXPECT_EQ(coarse.warnings[0].substr(0, expected.size()), expected);
+  EXPECT_TRUE(fine.warnings.empty()) << fine.warnings[0];
+  EXPECT_GE(fine.samples.size(), 21u);
+}
+
 TEST(PathCheck, BadPathsAreRefused) {
   const AtRest strand(designOf("test/ros/data/attachments.yaml"));
   const Pose here{{0.25, 0, 0}}, there{{0.2, 0, 0}};

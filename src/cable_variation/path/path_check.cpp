@@ -72,6 +72,7 @@ class PathFollower {
     }
     const std::vector<double> times = pathTimes(task_.design, task_.path, task_.step, changes, kMostSamples);
     tellOfStart(times.front());
+    tellOfGaps(times);
     for (std::size_t i = 0; i < times.size(); ++i) {
       if (goes_on && !goes_on(static_cast<double>(i) / static_cast<double>(times.size()))) throw Cancelled();
       step(times[i]);
@@ -91,6 +92,20 @@ class PathFollower {
       check_.warnings.push_back("the path begins elsewhere: clips go " + shortNumber(1e3 * furthest) +
                                 " mm straight to its start, which is checked as a part of it");
     }
+  }
+
+  /// Recorded poses between two samples.
+  void tellOfGaps(const std::vector<double>& times) {
+    const std::vector<double>& recorded = task_.path.times;
+    const auto seen = std::count_if(recorded.begin(), recorded.end(), [&](double time) {
+      return std::binary_search(times.begin(), times.end(), time);
+    });
+    if (static_cast<std::size_t>(seen) == recorded.size()) return;
+    check_.warnings.push_back(
+        std::to_string(seen) + " of " + std::to_string(recorded.size()) +
+        " recorded poses are looked at: between two of them nothing goes further than step, " +
+        shortNumber(1e3 * task_.step) +
+        " mm, but limits may be broken there unseen; a smaller step sees more");
   }
 
   void step(double time) {

@@ -165,10 +165,11 @@ ReportSection pathSection(const Scene& scene, const PathFindings& found) {
   const PathCheck& check = found.check;
   ReportSection section("Along the path");
   const PathSample &first = check.samples.front(), &last = check.samples.back();
-  section.banner(check.kept ? Tone::good : Tone::bad, check.kept ? "KEPT" : "NOT KEPT",
-                 check.kept
-                     ? "all along the path there is an equilibrium that keeps all limits, and nothing snaps"
-                     : "see what happens on the way");
+  section.banner(
+      check.kept ? Tone::good : Tone::bad, check.kept ? "KEPT" : "NOT KEPT",
+      check.kept
+          ? "wherever it was looked at there is an equilibrium that keeps all limits, and nothing snaps"
+          : "see what happens on the way");
   section.paragraph("Looked at " + std::to_string(check.samples.size()) + " times from " +
                     figure(first.time) + " s to " + figure(last.time) + " s, over a way of " +
                     millimetres(last.length) + " mm; the shape is followed from each to the next one.");
