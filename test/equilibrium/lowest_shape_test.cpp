@@ -202,5 +202,16 @@ TEST(Alternatives, AreNotLowerThanTheAnswer) {
   }
 }
 
+// Straight and without weight, all starts lead to the same.
+TEST(LowestShape, IsNoAlternativeToItself) {
+  for (const double length : {0.05, 0.2, 1.5}) {
+    const Harness harness =
+        clamped(uniformCable(length, strandOfCaseW()), poseAt(length, 0.0, 0.0), Eigen::Vector3d::Zero());
+    const Equilibrium straight = EquilibriumSolver().solve(harness);
+    ASSERT_TRUE(straight.converged()) << straight.message;
+    EXPECT_TRUE(straight.alternatives.empty()) << straight.alternatives[0].energy << " J";
+  }
+}
+
 }  // namespace
 }  // namespace cable_variation::test

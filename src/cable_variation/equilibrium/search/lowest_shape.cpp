@@ -169,11 +169,18 @@ class LowestShape {
     others_.push_back({energy, problem.system->grid(), problem.configuration});
   }
 
+  // Two starts may have led to the answer, whose energies rounding tells apart where both are nothing.
   void describeOthers() {
+    constexpr double kSame = 1e-6, kNothing = 1e-9;  // of the energies; of what bends a cable by a radian
     const Problem& best = best_.branch->problem();
+    const double nothing = kNothing * best.system->bendingStiffness(0) / best.length();
     for (const Other& other : others_) {
-      result_.alternatives.push_back({other.energy, largestDistance(best.system->grid(), best.configuration,
-                                                                    other.grid, other.configuration)});
+      const double distance =
+          largestDistance(best.system->grid(), best.configuration, other.grid, other.configuration);
+      const double scale = std::abs(other.energy) + std::abs(best_.energy);
+      if (distance <= options_.accuracy && std::abs(other.energy - best_.energy) <= kSame * scale + nothing)
+        continue;
+      result_.alternatives.push_back({other.energy, distance});
     }
     std::sort(result_.alternatives.begin(), result_.alternatives.end(),
               [](const Alternative& a, const Alternative& b) { return a.energy < b.energy; });
