@@ -355,6 +355,14 @@ TEST(PathCheck, BadPathsAreRefused) {
       },
       "on the world");
   expectRefused([&] { strand.check(along("holder", {{0, here}, {1, there}}), 1e-6); }, "more than 20000");
+  // so short a step, so far a way, that times between cannot be told from each other: it once looked for ever
+  for (const double step : {1e-19, 1e-300, 5e-324}) {
+    expectRefused([&] { strand.check(along("holder", {{0, here}, {1, there}}), step); }, "more than 20000");
+  }
+  for (const double far : {1e18, 1e300}) {
+    const Pose away{{far, 0.0, 0.0}};
+    expectRefused([&] { strand.check(along("holder", {{0, here}, {1, away}})); }, "more than 20000");
+  }
   PathTask task;
   task.design = strand.design;
   task.solver = strand.solver;

@@ -52,13 +52,15 @@ std::vector<double> pathTimes(const Design& design, const ComponentPath& path, d
     return Places{harnessAt(design, {}, places), places};
   };
   std::vector<double> times{first};
+  const auto refuseMore = [&](double count) {
+    if (count <= static_cast<double>(most)) return;
+    throw std::invalid_argument("step " + shortNumber(1e3 * step) +
+                                " mm: the path would be looked at more than " + std::to_string(most) +
+                                " times; expected a larger step or a shorter path");
+  };
   const auto add = [&](double time) {
     if (time > times.back()) times.push_back(time);
-    if (times.size() > most) {
-      throw std::invalid_argument("step " + shortNumber(1e3 * step) +
-                                  " mm: the path would be looked at more than " + std::to_string(most) +
-                                  " times; expected a larger step or a shorter path");
-    }
+    refuseMore(static_cast<double>(times.size()));
   };
   Places here = placesAt(first);
   double since = 0.0, before = first;  // [m] that it went since the last of `times`
@@ -71,6 +73,7 @@ std::vector<double> pathTimes(const Design& design, const ComponentPath& path, d
       since = 0.0;
     }
     const auto parts = std::max(1.0, std::ceil(distance / step));
+    refuseMore(parts);  // so many that the first ones are at the same time, too
     for (double part = 1.0; part < parts; ++part) add(before + (time - before) * part / parts);
     since = parts > 1.0 ? distance / parts : since + distance;
     if (path.every_pose || kept.count(time) != 0) {
