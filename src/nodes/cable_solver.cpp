@@ -13,6 +13,8 @@ constexpr char kHelp[] =
     "  interactive       clips and components can be dragged in RViz (true)\n"
     "  threads           for envelopes and simulations; 0: as many as there are cores (0)\n"
     "  memory_limit      what one envelope or simulation may take, about (2e9) [B]\n"
+    "  memory_total      what all of them at work at once may (8e9) [B]\n"
+    "  state_file        where what is in force is kept for the next start; empty: nowhere\n"
     "  output_directory  the only folder that files are written to (cable_variation in $ROS_HOME)\n"
     "  author            named in reports\n"
     "  limits/...        what files may hold\n";

@@ -51,7 +51,8 @@ CableSolver::CableSolver(ros::NodeHandle node, const CableSolverParameters& para
       check_forbidden_region_(node_, context_, interference_, OutputDirectory(parameters.output_directory)),
       check_path_(node_, context_, spinning_, path_, OutputDirectory(parameters.output_directory), names_),
       runner_(context_, spinning_, names_,
-              {parameters.threads, parameters.memory_limit, OutputDirectory(parameters.output_directory)}),
+              {parameters.threads, parameters.memory_limit, OutputDirectory(parameters.output_directory),
+               parameters.memory_total}),
       envelopes_(runner_, envelope_, kGenerateEnvelopeService),
       generate_envelope_(node_, kGenerateEnvelopeService,
                          [this](const cable_variation::GenerateEnvelopeRequest& request) {

@@ -41,6 +41,8 @@ class BadStartTest(unittest.TestCase):
                         'speed expected a number')
         self.assertEnds(run('cable_solver', ('scene', DATA + 'strand.yaml'), ('live', 'true'), ('live_rate', '0')),
                         'live_rate is 0')
+        self.assertEnds(run('cable_solver', ('scene', DATA + 'strand.yaml'), ('memory_limit', '3e9'), ('memory_total', '1e9')),
+                        'memory_total is 1e+09, expected at least 3e+09')
         self.assertEnds(run('cable_solver', ('scene', DATA + 'strand.yaml'), ('live_rate', '50'), ('threads', '-1')),
                         'threads is -1, expected 0')
         self.assertEnds(run('cable_solver', ('threads', 'many')), 'threads expected a whole number')

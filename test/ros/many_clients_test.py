@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""A hundred clients at once: none is refused, none is answered wrongly; and quick answers while an envelope is made."""
+"""A hundred clients at once: none is refused, none is answered wrongly; quick answers while an envelope is made; and
+more long runs than may wait are told so."""
 import sys
 import threading
 import time
@@ -9,7 +10,7 @@ import rospy
 import rostest
 from actionlib_msgs.msg import GoalStatus
 from cable_variation.msg import GenerateEnvelopeAction, GenerateEnvelopeGoal, Status
-from cable_variation.srv import AnalyzeStability, GetScene, SolveEquilibrium
+from cable_variation.srv import AnalyzeStability, GetScene, SimulateVariation, SolveEquilibrium
 from node_client import NodeTest, xyz
 
 CLIENTS = 100
@@ -78,6 +79,36 @@ class ManyClientsTest(NodeTest):
         print('three services, median and 95 %%: alone %.1f and %.1f ms, meanwhile %.1f and %.1f ms' % tuple(
             1e3 * times[int(share * len(times))] for times in (before, meanwhile) for share in (0.5, 0.95)))
         self.assertPrompt(meanwhile[-1], 'the slowest three services beside an envelope')
+
+    def test_more_than_may_wait_are_busy_at_once(self):
+        answers = []  # (seconds, its status, mean of the first measure), as they come
+        clients, served = 12, 5  # one at work and four that wait
+        begin = threading.Barrier(clients)
+
+        def ask():
+            proxy = self.service('/cable_solver/simulate_variation', SimulateVariation)
+            begin.wait()
+            start = time.time()
+            answer = proxy(variables=['*'], samples=20000, seed=3)
+            answers.append((time.time() - start, answer.status, [each.mean for each in answer.measures]))
+        threads = [threading.Thread(target=ask) for _ in range(clients)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        right = [each for each in answers if each[1].code == Status.SUCCESS]
+        busy = [each for each in answers if each[1].code != Status.SUCCESS]
+        self.assertGreaterEqual(len(right), served)
+        self.assertEqual(len(right) + len(busy), clients)
+        for _, status, _ in busy:
+            self.assertRefused(status, Status.CANCELLED, 'busy', '4 wait')
+        for _, _, means in right:
+            self.assertEqual(means, right[0][2])
+        print('%d of %d simulations served, the others told to be busy within %.0f ms' % (
+            len(right), clients, 1e3 * max([each[0] for each in busy], default=0.0)))
+        # who comes later is served
+        self.assertSuccess(self.service('/cable_solver/simulate_variation', SimulateVariation)(
+            variables=['*'], samples=10).status)
 
 
 if __name__ == '__main__':

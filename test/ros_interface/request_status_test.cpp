@@ -2,9 +2,12 @@
 #include <ros_interface/request/request_status.h>
 
 #include <new>
+#include <stdexcept>
+#include <string>
 
 #include <gtest/gtest.h>
 
+#include <cable_variation/scene_file/scene_reader.h>
 #include <cable_variation/util/error.h>
 #include <ros_interface/node/spinning_thread.h>
 
@@ -45,6 +48,28 @@ TEST(RequestStatus, OfNoMemorySaysSoInWords) {
   const Status status = told(std::bad_alloc());
   EXPECT_EQ(status.code, Status::OUT_OF_MEMORY);
   EXPECT_NE(status.message.find("memory"), std::string::npos) << status.message;
+  using MemoryTaken = cable_variation::ErrorOf<cable_variation::ErrorKind::out_of_memory>;
+  const Status busy = told(MemoryTaken("busy: runs at work: 4"));
+  EXPECT_EQ(busy.code, Status::OUT_OF_MEMORY);
+  EXPECT_EQ(busy.message, "busy: runs at work: 4");
+}
+
+TEST(RequestStatus, WhatARequestHasInItsNamesIsReadable) {
+  const std::string names = "'\xff' '\x1b[2J' '%s%n' 'größe'";
+  const std::string readable = R"('\xff' '\x1b[2J' '%s%n' 'größe')";
+  EXPECT_EQ(told(cable_variation::NotFound("no variable named " + names)).message,
+            "no variable named " + readable);
+  const Status status =
+      told(std::invalid_argument("no clip named '" + std::string(1000000, 'x') + "', expected one"));
+  EXPECT_LT(status.message.size(), 3000U);
+  EXPECT_EQ(status.message.rfind("no clip named 'xxx", 0), 0U);
+  EXPECT_NE(status.message.find("', expected one"), std::string::npos);
+}
+
+TEST(RequestStatus, FaultsOfASceneHaveALineEach) {
+  const cable_variation::SceneError error({{"scene.yaml", 3, "fault 1"}, {"scene.yaml", 4, "fault 2"}});
+  EXPECT_EQ(told(error).message, error.what());
+  EXPECT_NE(told(error).message.find('\n'), std::string::npos);
 }
 
 TEST(RequestStatus, OfWhatNothingIsKnownOfIsAFaultOfTheProgram) {

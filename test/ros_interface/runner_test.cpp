@@ -223,6 +223,39 @@ TEST_F(RunnerTest, AFolderThatCannotBeWrittenIsToldBeforeTheWork) {
   });
 }
 
+TEST_F(RunnerTest, OnlyAsManyAreAtWorkAsMemoryAllows) {
+  Runner small{context_, spinning_, names_, RunLimits{1, 2e9, OutputDirectory("/dev/null/below"), 5e9}};
+  RequestRunner<CountingRun> counting{small, publisher_, "count"};
+  std::atomic<int> at_work{0};
+  std::atomic<bool> end{false};
+  std::vector<CountingRun::Response> responses(2);
+  std::vector<std::thread> threads;
+  spinWhile([&] {
+    for (CountingRun::Response& response : responses) {
+      threads.emplace_back([&] {
+        bool told = false;
+        response = counting.run({1000000}, [&](const Progress& progress) {
+          if (progress.done > 0 && !told) {
+            told = true;
+            ++at_work;
+          }
+          return !end;
+        });
+      });
+    }
+    while (at_work < 2) std::this_thread::sleep_for(1ms);
+    const CountingRun::Response refused = counting.run({1}, always);
+    EXPECT_EQ(refused.status.code, Status::OUT_OF_MEMORY);
+    for (const char* part : {"busy: runs at work: 2", "2 GB (~memory_limit)", "5 GB (~memory_total)"}) {
+      EXPECT_NE(refused.status.message.find(part), std::string::npos) << refused.status.message;
+    }
+    EXPECT_EQ(refused.counted, 0);
+    end = true;
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_EQ(counting.run({1}, always).counted, 1);
+  });
+}
+
 TEST_F(RunnerTest, WhenTheNodeEndsSoDoesARun) {
   spinWhile([&] {
     const CountingRun::Response response = ask({1000000}, [&](const Progress& progress) {

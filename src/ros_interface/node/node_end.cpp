@@ -3,6 +3,7 @@
 #include <atomic>
 #include <csignal>
 
+#include <malloc.h>
 #include <sys/time.h>
 #include <unistd.h>
 
@@ -22,6 +23,13 @@ void tellToEnd() {
   if (told_to_end.exchange(true)) return;
   const itimerval patience{{0, 0}, {1, 800000}};  // [s], [us]
   ::setitimer(ITIMER_REAL, &patience, nullptr);
+}
+
+// What long runs have freed, which the allocator keeps: of 170 MB after some dozen, 30 were in use.
+void giveBackMemory() {
+#ifdef __GLIBC__
+  ::malloc_trim(0);
+#endif
 }
 
 void answerShutdown(XmlRpc::XmlRpcValue& /*parameters*/, XmlRpc::XmlRpcValue& result) {
@@ -46,8 +54,15 @@ void endOnRequest() {
 bool goesOn() { return !told_to_end && ros::ok(); }
 
 void spinUntilTheEnd() {
-  constexpr double kLook = 0.05;  // [s]
-  while (goesOn()) ros::getGlobalCallbackQueue()->callOne(ros::WallDuration(kLook));
+  constexpr double kLook = 0.05, kTidy = 10.0;  // [s]
+  ros::WallTime tidied = ros::WallTime::now();
+  while (goesOn()) {
+    ros::getGlobalCallbackQueue()->callOne(ros::WallDuration(kLook));
+    const ros::WallTime now = ros::WallTime::now();
+    if (now - tidied < ros::WallDuration(kTidy)) continue;
+    giveBackMemory();
+    tidied = now;
+  }
 }
 
 }  // namespace cable_variation_ros

@@ -1,5 +1,6 @@
 #include <ros_interface/node/node_parameters.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <sstream>
@@ -40,13 +41,14 @@ class ParameterReader {
     if (node_.hasParam(name) && !node_.getParam(name, value)) fault(name, "expected a string");
   }
 
-  void optionalPositive(const std::string& name, double& value, double upper) {
+  void optionalPositive(const std::string& name, double& value, double upper, double lower = 0.0) {
     if (!node_.hasParam(name)) return;
     if (!node_.getParam(name, value)) {
       fault(name, "expected a number");
-    } else if (!(value > 0.0 && value <= upper)) {
+    } else if (!(value > 0.0 && value >= lower && value <= upper)) {
       std::ostringstream text;
-      text << "is " << value << ", expected above 0, at most " << upper;
+      text << "is " << value << ", expected " << (lower > 0.0 ? "at least " : "above ") << lower
+           << ", at most " << upper;
       fault(name, text.str());
     }
   }
@@ -191,6 +193,8 @@ CableSolverParameters readCableSolverParameters(const ros::NodeHandle& node) {
     reader.optional("live_topics", parameters.live_topics);
     reader.optionalCount("threads", parameters.threads, kMostThreads);
     reader.optionalPositive("memory_limit", parameters.memory_limit, kMostMemory);
+    parameters.memory_total = std::max(parameters.memory_total, parameters.memory_limit);
+    reader.optionalPositive("memory_total", parameters.memory_total, kMostMemory, parameters.memory_limit);
     reader.optional("output_directory", parameters.output_directory);
     reader.optionalOrEmpty("state_file", parameters.state_file);
     if (!parameters.state_file.empty()) {

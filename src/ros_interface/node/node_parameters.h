@@ -37,6 +37,7 @@ struct CableSolverParameters {
   bool live_topics = false;     ///< a topic for each measure too
   std::size_t threads = 0;      ///< for envelopes; 0: as many as there are cores
   double memory_limit = 2e9;    ///< for one envelope or simulation [B]
+  double memory_total = 8e9;    ///< for all that are at work at once [B]; at least memory_limit
   /// Where files are written; made when there is something to write.
   std::string output_directory = defaultOutputDirectory();
   std::string state_file;  ///< where what is in force is kept for the next start; empty: it is not

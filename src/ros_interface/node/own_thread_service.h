@@ -1,25 +1,30 @@
 #pragma once
 
 #include <functional>
+#include <utility>
 
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
 #include <ros/service_server.h>
 #include <ros/spinner.h>
 
+#include <ros_interface/node/turns.h>
+#include <ros_interface/request/request_status.h>
+
 namespace cable_variation_ros {
 
-/// A service on a thread of its own: one call after another, while the node answers others.
+/// A service on threads of its own: one call after another, while the node answers others. A few calls wait;
+/// what comes beyond them is answered at once that it is busy (CANCELLED).
 template <typename Service>
 class OwnThreadService {
  public:
   using Request = typename Service::Request;
   using Response = typename Service::Response;
 
-  /// @param answer called on that thread
+  /// @param answer called on one of these threads at a time
   OwnThreadService(const ros::NodeHandle& node, const char* name,
                    std::function<Response(const Request&)> answer)
-      : answer_(std::move(answer)), spinner_(1, &queue_) {
+      : answer_(std::move(answer)), turns_(kWaiting), spinner_(kWaiting + 2, &queue_) {
     ros::NodeHandle own(node);
     own.setCallbackQueue(&queue_);
     server_ = own.advertiseService(name, &OwnThreadService::handle, this);
@@ -27,12 +32,19 @@ class OwnThreadService {
   }
 
  private:
+  // A call that waits takes a thread, as one at work does; one more refuses.
+  static constexpr unsigned kWaiting = 4;
+
   bool handle(Request& request, Response& response) {
-    response = answer_(request);
+    response = answered<Response>([&] {
+      const Turns::Turn turn(turns_);
+      return answer_(request);
+    });
     return true;
   }
 
   std::function<Response(const Request&)> answer_;
+  Turns turns_;
   ros::CallbackQueue queue_;
   ros::ServiceServer server_;
   ros::AsyncSpinner spinner_;

@@ -1,8 +1,11 @@
 #include <ros_interface/request/request_status.h>
 
+#include <new>
 #include <string>
 
+#include <cable_variation/scene_file/scene_reader.h>
 #include <cable_variation/util/error.h>
+#include <cable_variation/util/readable_text.h>
 
 namespace cable_variation_ros {
 
@@ -34,12 +37,19 @@ std::uint8_t codeOf(ErrorKind kind) {
   return Status::INTERNAL_ERROR;
 }
 
+/// Names in a request may be of any length and any bytes; a scene's faults, a line each, have been made
+/// readable.
+std::string readable(const std::exception& error) {
+  if (dynamic_cast<const cable_variation::SceneError*>(&error) != nullptr) return error.what();
+  return cable_variation::readableText(error.what());
+}
+
 std::string messageOf(const std::exception& error, ErrorKind kind) {
-  if (kind == ErrorKind::out_of_memory)
-    return "there is no memory left for it";  // std::bad_alloc says no more
-  if (kind != ErrorKind::internal) return error.what();
+  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr)
+    return "there is no memory left for it";  // that says no more
+  if (kind != ErrorKind::internal) return readable(error);
   return std::string("a fault of this program, please report it with the request and the scene: ") +
-         error.what();
+         readable(error);
 }
 
 }  // namespace

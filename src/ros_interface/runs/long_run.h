@@ -15,6 +15,7 @@ struct RunLimits {
   std::size_t threads = 0;    ///< for each run; 0: as many as there are cores
   double memory_limit = 2e9;  ///< likewise [B]
   OutputDirectory output;     ///< for files
+  double memory_total = 8e9;  ///< for all that are at work at once [B]
 };
 
 /// A long calculation, from its request to its answer: what is to be done, not when and on which thread,

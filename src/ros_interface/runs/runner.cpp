@@ -1,7 +1,9 @@
 #include <ros_interface/runs/runner.h>
 
+#include <string>
 #include <utility>
 
+#include <cable_variation/envelope/envelope_memory.h>
 #include <cable_variation/util/error.h>
 #include <cable_variation/util/seconds_since.h>
 #include <ros_interface/node/spinning_thread.h>
@@ -18,12 +20,33 @@ constexpr std::chrono::milliseconds kLook(20);
 // What there is of a run that was cancelled is shown if the node's thread has time for it within this [s].
 constexpr double kShown = 0.1;
 
+using MemoryTaken = cable_variation::ErrorOf<cable_variation::ErrorKind::out_of_memory>;
+
 }  // namespace
+
+Runner::Place::Place(Runner& runner) : runner_(runner) {
+  const RunLimits& limits = runner.limits_;
+  const std::lock_guard<std::mutex> lock(runner.mutex_);
+  if (static_cast<double>(runner.at_work_ + 1) * limits.memory_limit > limits.memory_total) {
+    throw MemoryTaken("busy: runs at work: " + std::to_string(runner.at_work_) + ", each of which may take " +
+                      cable_variation::memoryText(limits.memory_limit) +
+                      " (~memory_limit); with another one that is more than " +
+                      cable_variation::memoryText(limits.memory_total) +
+                      " (~memory_total): expected to be asked again when one has ended");
+  }
+  ++runner.at_work_;
+}
+
+Runner::Place::~Place() {
+  const std::lock_guard<std::mutex> lock(runner_.mutex_);
+  --runner_.at_work_;
+}
 
 Runner::Runner(const SolverContext& context, SpinningThread& spinning, NameRegistry& names, RunLimits limits)
     : context_(context), spinning_(spinning), names_(names), limits_(std::move(limits)) {}
 
 void Runner::run(const std::shared_ptr<LongRun>& run, const char* who, const Watcher& watcher) {
+  const Place place(*this);
   Progress progress;
   const auto goes_on = [&] { return watcher(progress); };
   // The task owns what it uses: cancelled, this call does not wait for the node's thread.
