@@ -1,6 +1,7 @@
 #include <cable_variation/math/round_step.h>
 
 #include <cmath>
+#include <initializer_list>
 
 namespace cable_variation {
 
