@@ -76,7 +76,7 @@ class WorldFaultsTest(NodeTest):
         refused = self.ask('check_forbidden_region', CheckForbiddenRegion, region='file://' + mesh)
         self.assertRefused(refused.status, Status.NOT_FOUND, mesh)
         os.remove(path)
-        self.assertRefused(self.ask('load_scene', LoadScene, scene=path).status, Status.INVALID_ARGUMENT, path)
+        self.assertRefused(self.ask('load_scene', LoadScene, scene=path).status, Status.NOT_FOUND, path)
         self.assertEqual(self.ask('get_scene', GetScene), scene)
         self.assertEqual(self.figures(), before)
 
