@@ -101,8 +101,8 @@ bool Branch::tighten(Equilibrium& result) {
   if (!adaptGrid(std::max(options_.accuracy, kRough * largestArcLength(problem_.configuration)), false,
                  result))
     return false;
+  system = problem_.system.get();  // of the adapted grid: the one before is gone
   double growth = system->slides() ? kGrowth : INFINITY;
-  system = problem_.system.get();
   while (system->soften(softened_, problem_.configuration)) {
     const Configuration softer = problem_.configuration;
     system->evaluate(problem_.configuration, RodSystem::Hessian::none);
