@@ -8,6 +8,7 @@
 
 #include <cable_variation/geometry/mesh/ply_header.h>
 #include <cable_variation/geometry/mesh/soup_builder.h>
+#include <cable_variation/util/readable_text.h>
 #include <cable_variation/util/text_tokens.h>
 
 namespace cable_variation {
@@ -130,7 +131,7 @@ class PlyReader {
           }
         }
       } catch (const std::invalid_argument& error) {
-        throw std::invalid_argument(element.name + " " + std::to_string(at_ + 1) + " of " +
+        throw std::invalid_argument(readableText(element.name) + " " + std::to_string(at_ + 1) + " of " +
                                     std::to_string(element.count) + ": " + error.what());
       }
     }
