@@ -8,8 +8,8 @@
 #include <ros/service_server.h>
 #include <ros/spinner.h>
 
+#include <cable_variation/util/error.h>
 #include <ros_interface/node/turns.h>
-#include <ros_interface/request/request_status.h>
 
 namespace cable_variation_ros {
 
@@ -36,10 +36,13 @@ class OwnThreadService {
   static constexpr unsigned kWaiting = 4;
 
   bool handle(Request& request, Response& response) {
-    response = answered<Response>([&] {
+    try {
       const Turns::Turn turn(turns_);
-      return answer_(request);
-    });
+      response = answer_(request);
+    } catch (const cable_variation::Cancelled& busy) {
+      response.status.code = decltype(response.status)::CANCELLED;
+      response.status.message = busy.what();
+    }
     return true;
   }
 
