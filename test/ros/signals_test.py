@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """SIGINT and SIGTERM in the middle of each kind of work: the nodes end in two seconds, and leave whole files or none."""
+import math
 import os
 import signal
 import struct
@@ -19,6 +20,8 @@ from cable_variation.msg import (GenerateEnvelopeAction, GenerateEnvelopeGoal, S
                                  SimulateVariationGoal)
 from cable_variation.srv import (AnalyzeStability, CheckPath, GenerateEnvelope, LoadScene, SetDesign,
                                  SolveEquilibrium)
+from geometry_msgs.msg import PoseStamped
+from nav_msgs.msg import Path
 from node_client import DATA, NodeTest, large_scene
 
 SIGNALS = (signal.SIGINT, signal.SIGTERM)
@@ -34,6 +37,17 @@ def call(service, kind, **request):
     thread = threading.Thread(target=ask, daemon=True)
     thread.start()
     return thread
+
+
+def long_path():
+    """Poses that take some seconds to look at: each of them is."""
+    path = Path()
+    for i in range(15000):
+        pose = PoseStamped()
+        pose.pose.position.x, pose.pose.position.z = 0.25, 0.005 * math.sin(0.05 * i)
+        pose.pose.orientation.w = 1
+        path.poses.append(pose)
+    return path
 
 
 class SignalsTest(NodeTest):
@@ -174,7 +188,7 @@ class SignalsTest(NodeTest):
 
     def test_path(self):
         def begin():
-            thread = call('/ended/check_path', CheckPath, motions=['sway'], step=2e-6, report='run')
+            thread = call('/ended/check_path', CheckPath, component='holder', path=long_path(), report='run')
             time.sleep(1)
             self.assertTrue(thread.is_alive())
         self.ended(begin)
