@@ -86,6 +86,14 @@ class JointStatesTest(NodeTest):
         fixed = self.latched('/static_geometry_node/components', MarkerArray).markers
         self.assertIn('component/arm', [each.ns for each in fixed])
 
+    def test_all_markers_are_told_again_for_those_who_could_not_place_them(self):
+        for node in ('/static_geometry_node', '/moving_geometry_node'):
+            told = []
+            subscriber = rospy.Subscriber(node + '/components', MarkerArray, told.append)
+            self.eventually(lambda: len(told) >= 2, 'the markers of %s again' % node)
+            subscriber.unregister()
+            self.assertEqual(told[0].markers, told[-1].markers)
+
     def test_nobody_publishes_the_frame_that_tf_drives(self):
         for _ in range(2):
             sent = rospy.wait_for_message('/tf_static', TFMessage, timeout=self.TIMEOUT).transforms

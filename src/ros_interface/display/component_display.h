@@ -5,6 +5,7 @@
 #include <string>
 
 #include <ros/subscriber.h>
+#include <ros/wall_timer.h>
 
 #include <cable_variation/ComponentDeviations.h>
 
@@ -14,7 +15,9 @@
 namespace cable_variation_ros {
 
 /// Shows components on ~components, each in its frame. The frames have them as
-/// designed; ~component_deviations tells how they deviate from that.
+/// designed; ~component_deviations tells how they deviate from that. RViz drops a marker for good if the
+/// frames on its way have no time in common when it comes, as while the nodes that publish them start: where
+/// tf or joint states drive components all are told of again, ever more rarely.
 class ComponentDisplay {
  public:
   explicit ComponentDisplay(ros::NodeHandle& node);
@@ -24,11 +27,16 @@ class ComponentDisplay {
 
  private:
   void deviate(const cable_variation::ComponentDeviations& message);
+  void publish();
+  void repeat();
 
   std::shared_ptr<const cable_variation::Scene> scene_;  ///< none before the first show()
   std::set<std::string> which_;
+  cable_variation::ComponentPoses deviations_shown_;
   MarkerChannel markers_;
   ros::Subscriber deviations_;
+  ros::WallTimer again_;
+  double pause_ = 0.0;  // until the next repetition [s]
 };
 
 }  // namespace cable_variation_ros
