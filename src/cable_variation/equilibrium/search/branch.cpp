@@ -44,16 +44,6 @@ std::size_t elementsOf(const Grid& grid) {
   return count;
 }
 
-// Of nodes [m], between two configurations on one grid.
-double largestMotion(const Configuration& from, const Configuration& to) {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < from.spans.size(); ++i) {
-    for (std::size_t k = 0; k < from.spans[i].positions.size(); ++k)
-      largest = std::max(largest, (to.spans[i].positions[k] - from.spans[i].positions[k]).norm());
-  }
-  return largest;
-}
-
 int piecesOf(double turn) { return std::max(1, static_cast<int>(std::ceil(turn / kLargestPiece))); }
 
 }  // namespace
@@ -180,7 +170,8 @@ void Branch::returnToGrid() {
   const Configuration before = problem_.configuration;
   Equilibrium cost;
   if (descend(false, StartStress::held, cost) &&
-      largestMotion(before, problem_.configuration) <= kSameShape * options_.accuracy)
+      largestDistance(first_grid_, before, first_grid_, problem_.configuration) <=
+          kSameShape * options_.accuracy)
     return;
   restoreGrid(std::move(fine));
   problem_.system->evaluate(problem_.configuration, RodSystem::Hessian::exact);
