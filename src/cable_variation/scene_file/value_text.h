@@ -1,4 +1,4 @@
-#pragma once  // internal to scene_file/
+#pragma once
 
 #include <string>
 
