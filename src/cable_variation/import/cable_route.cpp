@@ -7,6 +7,37 @@
 
 namespace cable_variation {
 
+namespace {
+
+// Points within a segment, from its start: where it has gone straight on for `spacing`, where it has turned,
+// and where fixings are.
+std::vector<CurvePoint> pointsOf(const SegmentCurve& curve, const KblSegment& segment, double spacing) {
+  constexpr double kTurn = 8.0 * M_PI / 180.0;
+  const std::vector<CurvePoint> samples = curve.samples();
+  std::vector<CurvePoint> points;
+  double last = 0.0, turned = 0.0;
+  for (std::size_t i = 1; i + 1 < samples.size(); ++i) {
+    const auto turn = [&](std::size_t k) {
+      return std::acos(std::clamp(samples[k].tangent.dot(samples[k + 1].tangent), -1.0, 1.0));
+    };
+    turned += turn(i - 1);
+    const double step = samples[i + 1].arc_length - samples[i].arc_length;
+    if (samples[i].arc_length - last + step < spacing && turned + turn(i) < kTurn) continue;
+    points.push_back(samples[i]);
+    last = samples[i].arc_length;
+    turned = 0.0;
+  }
+  for (const KblFixingPlace& fixing : segment.fixings) {
+    if (fixing.location > 0.0 && fixing.location < 1.0)
+      points.push_back(curve.at(fixing.location * curve.length()));
+  }
+  std::sort(points.begin(), points.end(),
+            [](const CurvePoint& a, const CurvePoint& b) { return a.arc_length < b.arc_length; });
+  return points;
+}
+
+}  // namespace
+
 Eigen::Vector3d endTangent(const KblDocument& document, const SegmentShapes& shapes, std::size_t segment,
                            bool end) {
   if (const auto& curve = shapes.curves[segment]) return curve->at(end ? curve->length() : 0.0).tangent;
@@ -38,18 +69,11 @@ CableRoute::CableRoute(const KblDocument& document, const SegmentShapes& shapes,
     }
     const auto& curve = shapes.curves[part.segment];
     if (curve) {
-      std::vector<double> shares;  // of the segment's length, from its start node
-      const int steps = std::max(2, static_cast<int>(std::ceil(length / spacing)));
-      for (int i = 1; i < steps; ++i) shares.push_back(static_cast<double>(i) / steps);
-      for (const KblFixingPlace& fixing : segment.fixings) {
-        if (fixing.location > 0.0 && fixing.location < 1.0) shares.push_back(fixing.location);
-      }
-      std::sort(shares.begin(), shares.end());
-      if (part.reversed) std::reverse(shares.begin(), shares.end());
-      for (const double share : shares) {
-        const CurvePoint point = curve->at(share * curve->length());
-        const double along = part.reversed ? 1.0 - share : share;
-        add(start + along * length, point.position,
+      std::vector<CurvePoint> points = pointsOf(*curve, segment, spacing);
+      if (part.reversed) std::reverse(points.begin(), points.end());
+      for (const CurvePoint& point : points) {
+        const double share = point.arc_length / curve->length();
+        add(start + (part.reversed ? 1.0 - share : share) * length, point.position,
             part.reversed ? Eigen::Vector3d(-point.tangent) : point.tangent);
       }
     } else {

@@ -33,8 +33,8 @@ class CableRoute {
     Eigen::Quaterniond orientation;     ///< of the section frame
   };
 
-  /// With stations at nodes, at the fixings' places and in between, `spacing` [m] apart or less, as far as
-  /// curves are sound.
+  /// With stations at nodes, at the fixings' places and, as far as curves are sound, in between: about
+  /// `spacing` [m] apart, or nearer where the way turns by more than a few degrees.
   CableRoute(const KblDocument& document, const SegmentShapes& shapes, const CablePath& path, double spacing);
 
   double length() const { return part_starts_.back(); }

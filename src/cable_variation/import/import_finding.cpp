@@ -16,6 +16,8 @@ const char* toString(ImportFinding::Kind kind) {
       return "no length";
     case ImportFinding::Kind::no_cross_section:
       return "no cross-section";
+    case ImportFinding::Kind::thin_cross_section:
+      return "thin cross-section";
     case ImportFinding::Kind::cycle:
       return "cycle";
     case ImportFinding::Kind::disconnected:

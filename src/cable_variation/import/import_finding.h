@@ -14,6 +14,7 @@ struct ImportFinding {
     reversed_curve,          ///< it runs from the end node to the start node; it is read so
     no_length,               ///< neither a virtual nor a physical length; the curve's is taken
     no_cross_section,        ///< no area; the wires' or a default is taken
+    thin_cross_section,      ///< its area is less than that of the wires that are routed through it
     cycle,                   ///< segments that close a ring
     disconnected,            ///< a part of the harness that no segment joins to the rest
     not_held,                ///< one that nothing holds: left out

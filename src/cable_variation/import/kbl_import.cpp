@@ -9,6 +9,7 @@
 #include <cable_variation/import/cable_paths.h>
 #include <cable_variation/import/cable_route.h>
 #include <cable_variation/import/segment_bundles.h>
+#include <cable_variation/math/so3.h>
 #include <cable_variation/scene_file/scene_reader.h>
 #include <cable_variation/scene_file/value_text.h>
 #include <cable_variation/util/number_text.h>
@@ -298,27 +299,33 @@ class KblImport {
                                    millimetres(route.partStart(k + 1)) + ", " + std::to_string(bundle.wires) +
                                    (bundle.wires == 1 ? " wire" : " wires") + ", " + segment.name});
       }
-      addPoints(route, cable);
+      addWay(route, cable);
       result_.draft.cables.push_back(std::move(cable));
     }
   }
 
-  // Points of the route, no two of them close to each other.
-  void addPoints(const CableRoute& route, SceneDraft::Cable& cable) const {
-    constexpr double kClose = 0.2;  // of the spacing
+  // The route as points to pass, and as the form it is made in; no two places are close to each other.
+  void addWay(const CableRoute& route, SceneDraft::Cable& cable) const {
+    constexpr double kClose = 2e-4;           // [m]
+    constexpr std::size_t kMostPoints = 900;  // a scene file may have 1,000
     const std::vector<CableRoute::Station>& stations = route.stations();
-    const bool formed = mapping_.rest_shape == ImportedRestShape::curve && route.isWhole();
-    double last = 0.0;
-    for (std::size_t i = 1; i + 1 < stations.size(); ++i) {
-      const double close = kClose * std::min(mapping_.via_spacing, route.length() / 3.0);
-      if (stations[i].arc_length - last < close || route.length() - stations[i].arc_length < close) continue;
-      last = stations[i].arc_length;
+    const std::size_t step = 1 + stations.size() / kMostPoints;
+    std::vector<CableRoute::Station> chosen{stations.front()};
+    for (std::size_t i = 1; i + 1 < stations.size(); i += step) {
+      if (stations[i].arc_length - chosen.back().arc_length < kClose) continue;
+      if (route.length() - stations[i].arc_length < kClose) break;
+      chosen.push_back(stations[i]);
       cable.via.push_back(stations[i].position);
     }
-    if (!formed) return;
-    cable.rest_points.push_back(stations.front().position);
-    cable.rest_points.insert(cable.rest_points.end(), cable.via.begin(), cable.via.end());
-    cable.rest_points.push_back(stations.back().position);
+    chosen.push_back(stations.back());
+    if (mapping_.rest_shape != ImportedRestShape::curve || !route.isWhole()) return;
+    // Between two places the frame turns by a rotation vector: their mean curvature is that of the middle.
+    for (std::size_t i = 0; i + 1 < chosen.size(); ++i) {
+      const double width = chosen[i + 1].arc_length - chosen[i].arc_length;
+      const Eigen::Vector3d turn = so3::log(chosen[i].orientation.conjugate() * chosen[i + 1].orientation);
+      const Eigen::Vector3d curvature(0.0, turn.y() / width, turn.z() / width);
+      cable.rest_curvature.push_back({chosen[i].arc_length + 0.5 * width, curvature});
+    }
   }
 
   void makeJoints() {
@@ -416,6 +423,11 @@ class KblImport {
         {"via_spacing", millimetres(mapping_.via_spacing)},
         {"accuracy", millimetres(mapping_.accuracy)},
     };
+    for (std::size_t i = 0; i < paths_.paths.size() && mapping_.rest_shape == ImportedRestShape::curve; ++i) {
+      if (cables_[i] && !routes_[i].isWhole())
+        result_.defaults.push_back("rest_shape of cable " + result_.draft.cables[*cables_[i]].name +
+                                   ": straight, not all of its segments have a sound Center_curve");
+    }
     for (const auto& [key, value] : values) {
       if (mapping_.given.count(key) == 0) result_.defaults.push_back(key + ": " + value);
     }

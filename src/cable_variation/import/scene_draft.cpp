@@ -59,9 +59,11 @@ void writeCable(std::string& text, const SceneDraft::Cable& cable) {
       begin = part.end;
     }
   }
-  if (!cable.rest_points.empty()) {
-    text += "    rest_shape:\n      points:\n";
-    writePoints(text, cable.rest_points, "        ");
+  if (!cable.rest_curvature.empty()) text += "    rest_shape:\n      curvature:\n";
+  for (const RestCurvatureAt& knot : cable.rest_curvature) {
+    text += "        - {at: " + placeText(knot.arc_length, cable.length) + ", value: [";
+    for (int i = 0; i < 3; ++i) text += (i > 0 ? ", " : "") + numberText(knot.curvature[i], kDigits);
+    text += "]}\n";
   }
   if (!cable.via.empty()) {
     text += "    via:\n";

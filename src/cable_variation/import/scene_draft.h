@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 
 #include <cable_variation/math/pose.h>
-#include <cable_variation/rod/section.h>
+#include <cable_variation/rod/cable.h>
 
 namespace cable_variation {
 
@@ -25,10 +25,10 @@ struct SceneDraft {
   };
   struct Cable {
     std::string name;
-    double length = 0.0;                       ///< [m]
-    std::vector<Part> parts;                   ///< the last one ends where the cable does
-    std::vector<Eigen::Vector3d> via;          ///< [m]
-    std::vector<Eigen::Vector3d> rest_points;  ///< [m]; empty: it is straight
+    double length = 0.0;                          ///< [m]
+    std::vector<Part> parts;                      ///< the last one ends where the cable does
+    std::vector<Eigen::Vector3d> via;             ///< [m]
+    std::vector<RestCurvatureAt> rest_curvature;  ///< none: it is straight
   };
   struct Clip {
     std::string name;

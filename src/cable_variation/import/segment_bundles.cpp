@@ -11,25 +11,35 @@ namespace {
 
 using Kind = ImportFinding::Kind;
 
+// The cross-section of a wire, its insulation included [m²].
+double wireArea(const KblWirePart& part, const BundleRule& rule) {
+  return part.outside_diameter ? M_PI / 4.0 * *part.outside_diameter * *part.outside_diameter
+                               : part.conductor_area.value_or(0.0) / rule.conductor_share;
+}
+
 // Of a wire by itself; a density stands for a mass that is not known.
 BundleWire bundleWire(const KblWirePart& part, const BundleRule& rule) {
   BundleWire wire;
   wire.conductor_area = part.conductor_area.value_or(0.0);
-  const double outside = part.outside_diameter ? M_PI / 4.0 * *part.outside_diameter * *part.outside_diameter
-                                               : wire.conductor_area / rule.conductor_share;
-  wire.mass_per_length = part.mass_per_length.value_or(rule.density * outside);
+  wire.mass_per_length = part.mass_per_length.value_or(rule.density * wireArea(part, rule));
   return wire;
 }
 
 // A radius from what there is: the file's area, else the wires', else a thin wire's [m].
 double radiusOf(const KblDocument& document, const KblSegment& segment, const std::set<std::size_t>& wires,
                 const BundleRule& rule, ImportFindings& findings) {
-  if (segment.area) return std::sqrt(*segment.area / M_PI);
   double area = 0.0;
-  for (const std::size_t index : wires) {
-    const KblWirePart& part = document.wire_parts[document.wires[index].part];
-    area += part.outside_diameter ? M_PI / 4.0 * *part.outside_diameter * *part.outside_diameter
-                                  : part.conductor_area.value_or(0.0) / rule.conductor_share;
+  for (const std::size_t index : wires)
+    area += wireArea(document.wire_parts[document.wires[index].part], rule);
+  if (segment.area) {
+    constexpr double kRounding = 1.001;
+    if (area > kRounding * *segment.area) {
+      findings.push_back({Kind::thin_cross_section, segment.id, segment.line,
+                          "Segment '" + segment.id + "': its cross-section is " +
+                              numberText(1e6 * *segment.area, 4) + " mm^2, and the wires through it have " +
+                              numberText(1e6 * area, 4) + " mm^2; its diameter is taken as it is"});
+    }
+    return std::sqrt(*segment.area / M_PI);
   }
   const bool known = area > 0.0;
   if (!known) area = rule.wire_area / rule.conductor_share;

@@ -11,7 +11,7 @@
 namespace cable_variation {
 namespace {
 
-constexpr std::size_t kSteps = 32;  // of a piece's parameter, where its arc length is kept
+constexpr std::size_t kSteps = 64;  // of a piece's parameter, where its arc length is kept
 
 std::string millimetres(double metres) { return numberText(1e3 * metres, 7) + " mm"; }
 
@@ -96,6 +96,24 @@ CurvePoint SegmentCurve::at(double arc_length) const {
   }
   const Eigen::Vector3d tangent = pieces_[piece].first(t).normalized();
   return {arc_length, pieces_[piece].position(t), reversed_ ? Eigen::Vector3d(-tangent) : tangent};
+}
+
+std::vector<CurvePoint> SegmentCurve::samples() const {
+  std::vector<CurvePoint> points;
+  const double whole = length();
+  double before = 0.0;  // lengths of the pieces passed
+  for (std::size_t piece = 0; piece < pieces_.size(); ++piece) {
+    for (std::size_t i = piece == 0 ? 0 : 1; i <= kSteps; ++i) {
+      const double t = static_cast<double>(i) / kSteps;
+      const Eigen::Vector3d tangent = pieces_[piece].first(t).normalized();
+      const double along = before + reached_[piece][i];
+      points.push_back({reversed_ ? whole - along : along, pieces_[piece].position(t),
+                        reversed_ ? Eigen::Vector3d(-tangent) : tangent});
+    }
+    before += lengths_[piece];
+  }
+  if (reversed_) std::reverse(points.begin(), points.end());
+  return points;
 }
 
 std::vector<std::optional<SegmentCurve>> soundCurves(const KblDocument& document, ImportFindings& findings) {

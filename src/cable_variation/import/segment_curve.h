@@ -34,6 +34,8 @@ class SegmentCurve {
 
   /// At `arc_length` from its start, clamped [m].
   CurvePoint at(double arc_length) const;
+  /// From its start to its end, at equal steps of each piece's parameter.
+  std::vector<CurvePoint> samples() const;
 
  private:
   Eigen::Vector3d pieceEnd(std::size_t piece, bool last) const;
