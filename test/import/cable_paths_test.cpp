@@ -136,7 +136,9 @@ TEST(CablePaths, holdForRandomGraphs) {
         const SegmentGraph::Edge& one = graph.edges[segment];
         const std::size_t from = reversed ? one.end_node : one.start_node;
         if (k == 0) ++cable_ends[from];
-        if (k > 0) EXPECT_EQ(from, last);
+        if (k > 0) {
+          EXPECT_EQ(from, last);
+        }
         last = reversed ? one.start_node : one.end_node;
       }
       ++cable_ends[last];

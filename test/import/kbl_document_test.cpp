@@ -81,7 +81,7 @@ TEST(KblDocument, brokenFilesAreToldWithIdAndExpectation) {
       {"<Coordinates>80</Coordinates>", "", {"Cartesian_point '", "2 times", "expected 3 numbers"}},
       {"<Value_component>200.000000</Value_component>",
        "<Value_component>-200</Value_component>",
-       {"Segment_1", "-200", "more than 0 m"}},
+       {"Segment_1", "-200", "expected between"}},
       {"<Virtual_length id=\"Virtual_length_1\"><Unit_component>Unit_mm<",
        "<Virtual_length id=\"Virtual_length_1\"><Unit_component>Unit_g<",
        {"Segment 'Segment_1', Virtual_length/Unit_component", "'gram'", "a length"}},

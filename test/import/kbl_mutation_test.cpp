@@ -62,7 +62,7 @@ TEST(KblMutation, aBrokenReferenceIsNamed) {
     EXPECT_NE(said.find("'Nowhere_17'"), std::string::npos) << text.substr(at, length) << ": " << said;
     ++broken;
   }
-  EXPECT_GT(broken, 60U);
+  EXPECT_GE(broken, 60U);
 }
 
 TEST(KblMutation, aCutNumberIsNamed) {
@@ -111,7 +111,7 @@ TEST(KblMutation, whateverIsCutOutOrPutIn) {
       }
     }
     const std::string said = saidOf(mutated);
-    if (!said.empty()) EXPECT_EQ(said.find("file.kbl"), 0U) << said;
+    EXPECT_TRUE(said.empty() || said.find("file.kbl") == 0U) << said;
   }
 }
 
@@ -122,7 +122,8 @@ TEST(KblMutation, elementsThatAreNotThereAreMissed) {
        placesOf(text, "\\n  <(?:Node|Segment|Unit|Fixing|General_wire) id=\"([A-Za-z0-9_]+)\"")) {
     const std::string id = text.substr(at, length);
     const std::size_t begin = text.rfind("\n  <", at);
-    const std::size_t end = std::min(text.find("\n  <", at), text.find("\n</", at));
+    std::size_t end = std::min(text.find("\n  <", at), text.find("\n</", at));
+    if (text.compare(end, 5, "\n  </") == 0) end = text.find('\n', end + 1);
     std::string mutated = text;
     mutated.erase(begin, end - begin);
     const std::string said = saidOf(mutated);

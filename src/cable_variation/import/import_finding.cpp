@@ -18,6 +18,8 @@ const char* toString(ImportFinding::Kind kind) {
       return "no cross-section";
     case ImportFinding::Kind::thin_cross_section:
       return "thin cross-section";
+    case ImportFinding::Kind::short_cable:
+      return "short cable";
     case ImportFinding::Kind::cycle:
       return "cycle";
     case ImportFinding::Kind::disconnected:

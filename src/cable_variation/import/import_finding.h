@@ -15,6 +15,7 @@ struct ImportFinding {
     no_length,               ///< neither a virtual nor a physical length; the curve's is taken
     no_cross_section,        ///< no area; the wires' or a default is taken
     thin_cross_section,      ///< its area is less than that of the wires that are routed through it
+    short_cable,             ///< it is shorter than thick: it is drawn thinner
     cycle,                   ///< segments that close a ring
     disconnected,            ///< a part of the harness that no segment joins to the rest
     not_held,                ///< one that nothing holds: left out

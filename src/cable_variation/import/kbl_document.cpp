@@ -18,6 +18,10 @@ namespace {
 constexpr std::size_t kMostBytes = 200'000'000;
 constexpr double kCoordinateUnit = 1e-3;  // [m]: coordinates are in mm, whatever units the values have
 constexpr double kDirectionTolerance = 1e-3;
+// What no harness of a vehicle goes beyond, in SI; it keeps what is computed of it finite.
+constexpr double kFarthest = 1e6;
+constexpr Range kLengths{1e-6, 1e3, false};
+constexpr Range kAreas{1e-12, 1.0, false};
 
 using Kinds = std::vector<std::string>;
 const Kinds kPoint{"Cartesian_point"};
@@ -71,9 +75,13 @@ class KblReader {
 
   static Eigen::Vector3d readPoint(const XmlElement& point) {
     const std::vector<double> values = point.numbers("Coordinates", 3);
-    return values.empty() ? Eigen::Vector3d::Constant(NAN)
-                          : Eigen::Vector3d(kCoordinateUnit * values[0], kCoordinateUnit * values[1],
-                                            kCoordinateUnit * values[2]);
+    if (values.empty()) return Eigen::Vector3d::Constant(NAN);
+    const Eigen::Vector3d position = kCoordinateUnit * Eigen::Vector3d(values[0], values[1], values[2]);
+    if (position.norm() > kFarthest) {
+      point.fail("it is " + shortNumber(position.norm()) + " m from the origin; expected at most " +
+                 shortNumber(kFarthest) + " m");
+    }
+    return position;
   }
 
   // The point that a child refers to; NaN after a fault.
@@ -124,12 +132,12 @@ class KblReader {
       KblWirePart part;
       part.id = element.id();
       part.part_number = element.textOf("Part_number");
-      part.outside_diameter = findKblQuantity(element, "Outside_diameter", quantity::length);
-      part.conductor_area = findKblQuantity(element, "Cross_section_area", kKblArea);
+      part.outside_diameter = findKblQuantity(element, "Outside_diameter", quantity::length, kLengths);
+      part.conductor_area = findKblQuantity(element, "Cross_section_area", kKblArea, kAreas);
       part.mass_per_length = findKblMassPerLength(element, document_.findings);
       part.bend_radius = findKblQuantity(element, "Bend_radius", quantity::length, Range::notNegative());
       for (const XmlElement& core : element.children("Core")) {
-        const auto area = findKblQuantity(core, "Cross_section_area", kKblArea);
+        const auto area = findKblQuantity(core, "Cross_section_area", kKblArea, kAreas);
         if (area && !element.find("Cross_section_area"))
           part.conductor_area = part.conductor_area.value_or(0.0) + *area;
       }
@@ -286,10 +294,10 @@ class KblReader {
       const auto end = nodeOf(element, "End_node");
       segment.start_vector = directionOf(element, "Start_vector");
       segment.end_vector = directionOf(element, "End_vector");
-      segment.virtual_length = findKblQuantity(element, "Virtual_length", quantity::length);
-      segment.physical_length = findKblQuantity(element, "Physical_length", quantity::length);
+      segment.virtual_length = findKblQuantity(element, "Virtual_length", quantity::length, kLengths);
+      segment.physical_length = findKblQuantity(element, "Physical_length", quantity::length, kLengths);
       if (const auto area = element.find("Cross_section_area_information"))
-        segment.area = findKblQuantity(*area, "Area", kKblArea);
+        segment.area = findKblQuantity(*area, "Area", kKblArea, kAreas);
       for (const XmlElement& curve : element.children("Center_curve")) {
         if (auto piece = readCurve(curve)) segment.curves.push_back(std::move(*piece));
       }

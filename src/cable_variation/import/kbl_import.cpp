@@ -299,8 +299,24 @@ class KblImport {
                                    millimetres(route.partStart(k + 1)) + ", " + std::to_string(bundle.wires) +
                                    (bundle.wires == 1 ? " wire" : " wires") + ", " + segment.name});
       }
+      keepThin(path, cable);
       addWay(route, cable);
       result_.draft.cables.push_back(std::move(cable));
+    }
+  }
+
+  // A scene's cables are longer than their radius.
+  void keepThin(const CablePath& path, SceneDraft::Cable& cable) {
+    constexpr double kShare = 0.9;
+    for (std::size_t k = 0; k < cable.parts.size(); ++k) {
+      double& radius = cable.parts[k].section.radius;
+      if (radius < kShare * cable.length) continue;
+      const KblSegment& segment = document_.segments[path.parts[k].segment];
+      find(Kind::short_cable, segment.id, segment.line,
+           "Segment '" + segment.id + "': it has a radius of " + millimetres(radius) + ", and its cable is " +
+               millimetres(cable.length) + " long; its radius is taken to be " +
+               millimetres(kShare * cable.length) + ", its stiffness and mass are as they are");
+      radius = kShare * cable.length;
     }
   }
 

@@ -86,6 +86,8 @@ std::string unitText(const XmlElement& unit) {
   return text;
 }
 
+constexpr Range kMasses{0.0, 1e3, true};  // [kg/m]
+
 // What is done with a message on a unit of another dimension.
 using UnitFault = std::function<void(const XmlElement& unit, const std::string& message)>;
 
@@ -131,7 +133,7 @@ std::optional<double> findKblMassPerLength(const XmlElement& part, ImportFinding
     findings.push_back({ImportFinding::Kind::wrong_unit, part.id(), unit.line(),
                         unit.label() + ": " + message + "; this mass is not used"});
   };
-  return readQuantity(*value, quantity::mass_per_length, Range::positive(), tell);
+  return readQuantity(*value, quantity::mass_per_length, kMasses, tell);
 }
 
 }  // namespace cable_variation
