@@ -71,6 +71,28 @@ TEST(ImportMapping, grommetsHaveTheirSprings) {
   EXPECT_NE(mapping.ruleOf(part)->more.find("axial: 5 N/mm"), std::string::npos);
 }
 
+// The example of the documentation.
+TEST(ImportMapping, theDocumentedOne) {
+  const std::string page = contentsOf(findTestPackage("cable_variation") + "/doc/import.md");
+  const std::size_t begin = page.find("```yaml\n") + 8;
+  const ImportMapping mapping = mappingOf(page.substr(begin, page.find("```", begin) - begin));
+  EXPECT_EQ(mapping.parts.size(), 2U);
+  EXPECT_EQ(mapping.types.at("CABLE_DUCT").clip, "sliding_rolling");
+  EXPECT_EQ(mapping.cable_tolerance, "cut");
+}
+
+// Each key and default that the page's table tells of.
+TEST(ImportMapping, theDefaultsAreThoseOfTheDocumentation) {
+  const ImportMapping mapping;
+  EXPECT_DOUBLE_EQ(mapping.bundle.conductor_modulus, 110e9);
+  EXPECT_DOUBLE_EQ(mapping.bundle.bending_modulus, 10e9);
+  EXPECT_DOUBLE_EQ(mapping.bundle.sticking, 0.01);
+  EXPECT_DOUBLE_EQ(mapping.bundle.density, 2500.0);
+  EXPECT_DOUBLE_EQ(mapping.least_bend, 2.0);
+  EXPECT_DOUBLE_EQ(mapping.via_spacing, 0.025);
+  EXPECT_DOUBLE_EQ(mapping.accuracy, 1e-3);
+}
+
 struct Fault {
   std::string text;
   std::vector<std::string> said;

@@ -146,6 +146,19 @@ TEST(KblDocument, otherFilesAreRefused) {
   }
 }
 
+TEST(KblDocument, hostileFilesAreRefusedAtOnce) {
+  std::string deep = "<KBL_container>";
+  for (int i = 0; i < 200000; ++i) deep += "<a>";
+  for (int i = 0; i < 200000; ++i) deep += "</a>";
+  EXPECT_NE(faultOf(deep + "</KBL_container>").find("there is no Segment"), std::string::npos);
+  std::string large = "<KBL_container>";
+  for (int i = 0; i < 1100000; ++i) large += "<a/><b/>";
+  EXPECT_NE(faultOf(large + "</KBL_container>").find("the limit xml_parts"), std::string::npos);
+  // entities are not followed
+  const std::string text = with(smallKbl(), "<Coordinates>80<", "<Coordinates>&many;<");
+  EXPECT_NE(faultOf(text).find("'&many;'"), std::string::npos) << faultOf(text);
+}
+
 TEST(KblDocument, aMassInAnotherUnitIsAFinding) {
   const std::string mass = "<Mass_information id=\"Mass_1\"><Unit_component>";
   const KblDocument document =

@@ -133,6 +133,26 @@ TEST(KblImport, staleSegmentsHaveNoPointsAndAreToldInTheScene) {
   EXPECT_EQ(sceneOf(text).harness.clips.size(), 3U);
 }
 
+TEST(KblImport, tightBendsAreToldAndTheRestShapeIsNoTighter) {
+  // segment 2 has its sharpest bend in its middle: the parabola's radius there is L²/(2 q)
+  const double sharpest = 0.3 * 0.3 / (2 * 0.06);
+  ImportMapping mapping;
+  mapping.rest_shape = ImportedRestShape::curve;
+  const auto at = [&](double factor) {  // so many times the sharpest bend is allowed
+    mapping.least_bend = factor * sharpest / 0.007;
+    return importKbl(readKblText(smallKbl(), "small.kbl"), mapping);
+  };
+  for (const ImportFinding& finding : at(0.98).findings)
+    EXPECT_NE(finding.id, "Segment_2") << finding.message;
+  const ImportResult result = at(1.5);
+  const ImportFinding tight = findingOf(result, Kind::tight_bend);
+  EXPECT_EQ(tight.id, "Segment_2");
+  for (const RestCurvatureAt& knot : result.draft.cables.front().rest_curvature) {
+    EXPECT_TRUE(knot.arc_length < 0.25 || knot.curvature.norm() <= 1.0001 / (1.5 * sharpest))
+        << knot.arc_length;
+  }
+}
+
 TEST(KblImport, missingPlacementsAreTold) {
   std::string text = smallKbl();
   const std::size_t begin = text.find("<Placement id=\"Placement_t1\">");

@@ -65,12 +65,16 @@ TEST(RealKbl, becomeScenesThatSolve) {
   if (files.empty()) GTEST_SKIP() << "no files in $CABLE_VARIATION_DATA/kbl";
   for (const std::string& file : files) {
     const KblDocument document = readKbl(file);
-    const Scene scene = sceneOf(sceneText(importKbl(document, ImportMapping()).draft));
-    EXPECT_LE(scene.harness.cables.size(), document.segments.size());
-    EquilibriumOptions options;
-    options.accuracy = scene.accuracy;
-    const Equilibrium found = EquilibriumSolver(options).solve(scene.harness);
-    EXPECT_TRUE(found.converged()) << file << ": " << found.message;
+    for (const ImportedRestShape shape : {ImportedRestShape::straight, ImportedRestShape::curve}) {
+      ImportMapping mapping;
+      mapping.rest_shape = shape;
+      const Scene scene = sceneOf(sceneText(importKbl(document, mapping).draft));
+      EXPECT_LE(scene.harness.cables.size(), document.segments.size());
+      EquilibriumOptions options;
+      options.accuracy = scene.accuracy;
+      const Equilibrium found = EquilibriumSolver(options).solve(scene.harness);
+      EXPECT_TRUE(found.converged()) << file << ": " << found.message;
+    }
   }
 }
 

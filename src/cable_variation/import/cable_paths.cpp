@@ -40,7 +40,15 @@ struct Pair {
 std::vector<std::size_t> throughGoing(const SegmentGraph& graph) {
   std::vector<std::size_t> next(2 * graph.edges.size(), kNone);
   std::vector<Pair> pairs;
-  for (const std::vector<std::size_t>& ends : endsByNode(graph)) {
+  constexpr std::size_t kMost = 100;  // of a node's ends that are looked at, the thickest ones
+  std::vector<std::vector<std::size_t>> ends_at = endsByNode(graph);
+  for (std::vector<std::size_t>& ends : ends_at) {
+    if (ends.size() > kMost) {
+      std::stable_sort(ends.begin(), ends.end(), [&](std::size_t a, std::size_t b) {
+        return graph.edges[a / 2].thickness > graph.edges[b / 2].thickness;
+      });
+      ends.resize(kMost);
+    }
     for (std::size_t j = 1; j < ends.size(); ++j) {
       for (std::size_t i = 0; i < j; ++i) {
         const std::size_t a = ends[i], b = ends[j];
@@ -154,23 +162,19 @@ std::vector<std::size_t> closingSegments(const SegmentGraph& graph) {
 std::vector<std::size_t> ringOf(const SegmentGraph& graph, std::size_t closing) {
   // breadth first from one of its nodes to the other, along segments before it
   const std::size_t from = graph.edges[closing].start_node, to = graph.edges[closing].end_node;
+  const std::vector<std::vector<std::size_t>> ends_at = endsByNode(graph);
   std::vector<std::size_t> by(graph.nodes, kNone);  // the segment that a node was reached by
   std::vector<bool> reached(graph.nodes, false);
-  std::vector<std::size_t> front{from};
+  std::vector<std::size_t> nodes{from};
   reached[from] = true;
-  while (!front.empty() && !reached[to]) {
-    std::vector<std::size_t> beyond;
-    for (std::size_t i = 0; i < closing; ++i) {
-      for (const bool back : {false, true}) {
-        const std::size_t a = back ? graph.edges[i].end_node : graph.edges[i].start_node;
-        const std::size_t b = back ? graph.edges[i].start_node : graph.edges[i].end_node;
-        if (std::find(front.begin(), front.end(), a) == front.end() || reached[b]) continue;
-        reached[b] = true;
-        by[b] = i;
-        beyond.push_back(b);
-      }
+  for (std::size_t next = 0; next < nodes.size() && !reached[to]; ++next) {
+    for (const std::size_t end : ends_at[nodes[next]]) {
+      const std::size_t beyond = nodeOf(graph, otherEnd(end));
+      if (end / 2 >= closing || reached[beyond]) continue;
+      reached[beyond] = true;
+      by[beyond] = end / 2;
+      nodes.push_back(beyond);
     }
-    front = std::move(beyond);
   }
   std::vector<std::size_t> ring{closing};
   for (std::size_t node = to; node != from && by[node] != kNone;) {

@@ -12,6 +12,8 @@ const char* toString(ImportFinding::Kind kind) {
       return "no curve";
     case ImportFinding::Kind::reversed_curve:
       return "reversed curve";
+    case ImportFinding::Kind::tight_bend:
+      return "tight bend";
     case ImportFinding::Kind::no_length:
       return "no length";
     case ImportFinding::Kind::no_cross_section:

@@ -12,6 +12,7 @@ struct ImportFinding {
     open_curve,              ///< its pieces do not join
     no_curve,                ///< there is none
     reversed_curve,          ///< it runs from the end node to the start node; it is read so
+    tight_bend,              ///< it turns on a radius that no such bundle takes
     no_length,               ///< neither a virtual nor a physical length; the curve's is taken
     no_cross_section,        ///< no area; the wires' or a default is taken
     thin_cross_section,      ///< its area is less than that of the wires that are routed through it

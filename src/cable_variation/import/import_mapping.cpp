@@ -134,7 +134,7 @@ void checkTolerance(const YamlCursor& root, const std::string& who, const std::s
 
 void readMapping(const YamlCursor& root, const YAML::Node& node, ImportMapping& mapping) {
   if (!root.checkKeys({"parts", "types", "tolerances", "cable_tolerance", "bundle", "length", "rest_shape",
-                       "via_spacing", "accuracy"})) {
+                       "least_bend", "via_spacing", "accuracy"})) {
     return;
   }
   for (const auto& entry : root.entries()) mapping.given.insert(entry.first);
@@ -152,6 +152,8 @@ void readMapping(const YamlCursor& root, const YAML::Node& node, ImportMapping& 
   }
   const Range spacing{1e-3, 10.0, false};
   const Range accuracy{1e-6, 1e-2, false};  // as in a scene
+  const Range bend{0.5, 100.0, false};
+  mapping.least_bend = root.number("least_bend", quantity::number, bend, mapping.least_bend);
   mapping.via_spacing = root.number("via_spacing", quantity::length, spacing, mapping.via_spacing);
   mapping.accuracy = root.number("accuracy", quantity::length, accuracy, mapping.accuracy);
   if (const auto name = root.find("cable_tolerance")) {

@@ -42,6 +42,7 @@ struct ImportMapping {
   BundleRule bundle;
   LengthSource length = LengthSource::virtual_length;
   ImportedRestShape rest_shape = ImportedRestShape::straight;
+  double least_bend = 2.0;      ///< radius of bends at rest, over the diameter
   double via_spacing = 0.025;   ///< of points on the centre curves [m]
   double accuracy = 1e-3;       ///< of the scene [m]
   std::set<std::string> given;  ///< keys above that the file has, "bundle.density" likewise

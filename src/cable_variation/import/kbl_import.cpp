@@ -12,6 +12,7 @@
 #include <cable_variation/math/so3.h>
 #include <cable_variation/scene_file/scene_reader.h>
 #include <cable_variation/scene_file/value_text.h>
+#include <cable_variation/util/input_limits.h>
 #include <cable_variation/util/number_text.h>
 
 namespace cable_variation {
@@ -50,10 +51,12 @@ class KblImport {
  public:
   KblImport(const KblDocument& document, const ImportMapping& mapping)
       : document_(document), mapping_(mapping) {
+    requireSize();
     result_.findings = document.findings;
     shapes_.curves = soundCurves(document, result_.findings);
     shapes_.lengths = segmentLengths(document, shapes_.curves, mapping.length);
     bundles_ = segmentBundles(document, mapping.bundle, result_.findings);
+    reportTightBends();
     makeGraph();
     reportRings();
     paths_ = cablePaths(graph_);
@@ -77,6 +80,36 @@ class KblImport {
  private:
   void find(Kind kind, const std::string& id, int line, const std::string& message) {
     result_.findings.push_back({kind, id, line, message});
+  }
+
+  // A scene holds so much.
+  void requireSize() const {
+    const InputLimits limits;
+    std::size_t held = 0;
+    for (const KblNode& node : document_.nodes) held += node.occurrences.size();
+    for (const KblSegment& segment : document_.segments) held += segment.fixings.size();
+    std::string fault;
+    if (document_.segments.size() > limits.cables) {
+      fault = "it has " + std::to_string(document_.segments.size()) + " segments; " +
+              atMost(limits.cables, "cables");
+    } else if (held > limits.clips) {
+      fault =
+          "it has " + std::to_string(held) + " parts at nodes and segments; " + atMost(limits.clips, "clips");
+    }
+    if (!fault.empty()) throw SceneError({{document_.source, 0, fault}});
+  }
+
+  void reportTightBends() {
+    for (std::size_t i = 0; i < document_.segments.size(); ++i) {
+      const KblSegment& segment = document_.segments[i];
+      const double least = 2.0 * mapping_.least_bend * bundles_[i].section.radius;
+      const double smallest = shapes_.curves[i] ? shapes_.curves[i]->smallestBendRadius() : least;
+      if (smallest >= least) continue;
+      find(Kind::tight_bend, segment.id, segment.line,
+           "Segment '" + segment.id + "': its Center_curve turns on a radius of " + millimetres(smallest) +
+               ", with a diameter of " + millimetres(2.0 * bundles_[i].section.radius) +
+               "; at rest it is taken to be bent to " + millimetres(least) + " at most");
+    }
   }
 
   void makeGraph() {
@@ -339,8 +372,13 @@ class KblImport {
     for (std::size_t i = 0; i + 1 < chosen.size(); ++i) {
       const double width = chosen[i + 1].arc_length - chosen[i].arc_length;
       const Eigen::Vector3d turn = so3::log(chosen[i].orientation.conjugate() * chosen[i + 1].orientation);
-      const Eigen::Vector3d curvature(0.0, turn.y() / width, turn.z() / width);
-      cable.rest_curvature.push_back({chosen[i].arc_length + 0.5 * width, curvature});
+      const double at = chosen[i].arc_length + 0.5 * width;
+      Eigen::Vector3d curvature(0.0, turn.y() / width, turn.z() / width);
+      const auto part = std::find_if(cable.parts.begin(), cable.parts.end() - 1,
+                                     [at](const SceneDraft::Part& one) { return one.end >= at; });
+      const double most = 1.0 / (2.0 * mapping_.least_bend * part->section.radius);
+      if (curvature.norm() > most) curvature *= most / curvature.norm();
+      cable.rest_curvature.push_back({at, curvature});
     }
   }
 
@@ -436,6 +474,7 @@ class KblImport {
         {"bundle.wire_area", number(1e6 * rule.wire_area) + " mm^2"},
         {"length", mapping_.length == LengthSource::virtual_length ? "virtual" : "physical"},
         {"rest_shape", mapping_.rest_shape == ImportedRestShape::straight ? "straight" : "curve"},
+        {"least_bend", number(mapping_.least_bend)},
         {"via_spacing", millimetres(mapping_.via_spacing)},
         {"accuracy", millimetres(mapping_.accuracy)},
     };

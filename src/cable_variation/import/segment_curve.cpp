@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include <cable_variation/math/so3.h>
 #include <cable_variation/scene_file/fault_list.h>
 #include <cable_variation/scene_file/scene_reader.h>
 #include <cable_variation/util/number_text.h>
@@ -114,6 +115,16 @@ std::vector<CurvePoint> SegmentCurve::samples() const {
   }
   if (reversed_) std::reverse(points.begin(), points.end());
   return points;
+}
+
+double SegmentCurve::smallestBendRadius() const {
+  double smallest = std::numeric_limits<double>::infinity();
+  const std::vector<CurvePoint> points = samples();
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const double turn = so3::log(so3::smallestRotation(points[i - 1].tangent, points[i].tangent)).norm();
+    if (turn > 0.0) smallest = std::min(smallest, (points[i].arc_length - points[i - 1].arc_length) / turn);
+  }
+  return smallest;
 }
 
 std::vector<std::optional<SegmentCurve>> soundCurves(const KblDocument& document, ImportFindings& findings) {

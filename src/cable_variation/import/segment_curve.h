@@ -36,6 +36,8 @@ class SegmentCurve {
   CurvePoint at(double arc_length) const;
   /// From its start to its end, at equal steps of each piece's parameter.
   std::vector<CurvePoint> samples() const;
+  /// As samples tell it [m].
+  double smallestBendRadius() const;
 
  private:
   Eigen::Vector3d pieceEnd(std::size_t piece, bool last) const;
