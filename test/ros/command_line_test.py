@@ -7,6 +7,7 @@ import subprocess
 import sys
 
 import roslib.packages
+import rospy
 import rostest
 from cable_variation.srv import AnalyzeStability, GenerateEnvelope, SimulateVariation, SolveEquilibrium
 from node_client import NodeTest
@@ -85,4 +86,5 @@ class CommandLineTest(NodeTest):
 
 
 if __name__ == '__main__':
+    rospy.init_node('command_line_test')
     rostest.rosrun('cable_variation', 'command_line', CommandLineTest, sys.argv)
