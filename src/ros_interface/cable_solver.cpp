@@ -3,7 +3,7 @@
 #include <ros/callback_queue.h>
 #include <ros/console.h>
 
-#include <ros_interface/conversion/enum_names.h>
+#include <cable_variation/scene/enum_names.h>
 #include <ros_interface/conversion/scene_loading.h>
 #include <ros_interface/node/names.h>
 #include <ros_interface/node/node_end.h>
@@ -41,18 +41,22 @@ CableSolver::CableSolver(ros::NodeHandle node, const CableSolverParameters& para
       path_(node_, interference_),
       design_state_(node_),
       diagnostics_(node_, context_),
-      solve_equilibrium_(node_, context_, OutputDirectory(parameters.output_directory), names_),
-      analyze_stability_(node_, context_, variation_, OutputDirectory(parameters.output_directory), names_),
+      solve_equilibrium_(node_, context_, cable_variation::OutputDirectory(parameters.output_directory),
+                         names_),
+      analyze_stability_(node_, context_, variation_,
+                         cable_variation::OutputDirectory(parameters.output_directory), names_),
       get_scene_(node_, context_),
       load_scene_(node_, context_),
-      save_scene_(node_, context_, OutputDirectory(parameters.output_directory), names_),
+      save_scene_(node_, context_, cable_variation::OutputDirectory(parameters.output_directory), names_),
       design_(node_, context_),
       set_attachment_(node_, context_, {shape_watch_, measured_}),
-      check_forbidden_region_(node_, context_, interference_, OutputDirectory(parameters.output_directory)),
-      check_path_(node_, context_, spinning_, path_, OutputDirectory(parameters.output_directory), names_),
+      check_forbidden_region_(node_, context_, interference_,
+                              cable_variation::OutputDirectory(parameters.output_directory)),
+      check_path_(node_, context_, spinning_, path_,
+                  cable_variation::OutputDirectory(parameters.output_directory), names_),
       runner_(context_, spinning_, names_,
-              {parameters.threads, parameters.memory_limit, OutputDirectory(parameters.output_directory),
-               parameters.memory_total}),
+              {parameters.threads, parameters.memory_limit,
+               cable_variation::OutputDirectory(parameters.output_directory), parameters.memory_total}),
       envelopes_(runner_, envelope_, kGenerateEnvelopeService),
       generate_envelope_(node_, kGenerateEnvelopeService,
                          [this](const cable_variation::GenerateEnvelopeRequest& request) {

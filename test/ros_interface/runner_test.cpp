@@ -28,7 +28,9 @@ namespace {
 using namespace std::chrono_literals;
 using cable_variation::Cancelled;
 using cable_variation::Clock;
+using cable_variation::OutputDirectory;
 using cable_variation::Progress;
+using cable_variation::RunControl;
 using cable_variation::Status;
 
 constexpr double kAtOnce = 0.2;  // that an answer to a cancel may take [s]

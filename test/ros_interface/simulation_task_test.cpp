@@ -1,5 +1,5 @@
 // Requests for a simulation: their defaults, and what is refused by name.
-#include <ros_interface/runs/simulation_task.h>
+#include <cable_variation/analysis/simulation_task.h>
 
 #include <limits>
 
@@ -10,6 +10,7 @@
 
 #include <ros_interface/node/same_fields.h>
 #include <ros_interface/request/request_status.h>
+#include <ros_interface/runs/requests.h>
 
 namespace cable_variation_ros {
 namespace {
@@ -37,7 +38,10 @@ class SimulationTaskTest : public testing::Test {
     request_.variables = {"*"};
   }
 
-  SimulationTask task() const { return toSimulationTask(request_, design_, moved_, 3, memory_limit_); }
+  SimulationTask task() const {
+    figureOf(request_.show);  // throws
+    return toSimulationTask(fromMessage(request_), design_, moved_, 3, memory_limit_);
+  }
   /// The message of a request that is refused.
   std::string refusal() const {
     try {
@@ -68,7 +72,7 @@ TEST_F(SimulationTaskTest, EmptyFieldsAreDefaults) {
   EXPECT_EQ(made.options.kept_shapes, 0u);
   EXPECT_EQ(made.options.threads, 3u);
   EXPECT_TRUE(made.options.motions.empty());
-  EXPECT_EQ(made.show, VariationFigure::six_sigma);
+  EXPECT_EQ(figureOf(request_.show), VariationFigure::six_sigma);
   EXPECT_EQ(made.name, "");
   EXPECT_FALSE(made.other_design);
 }
@@ -120,7 +124,7 @@ TEST_F(SimulationTaskTest, FieldsArriveWhereTheyBelong) {
   EXPECT_EQ(made.options.to, 1.5);
   EXPECT_EQ(made.options.sections, 9u);
   EXPECT_EQ(made.options.kept_shapes, 10u);
-  EXPECT_EQ(made.show, VariationFigure::range);
+  EXPECT_EQ(figureOf(request_.show), VariationFigure::range);
   EXPECT_EQ(made.name, "run_1");
 }
 

@@ -49,7 +49,22 @@ std::string alongChart(const CableVariation& cable) {
   return svg::element(kLeft + kPlot + kRight, kTop + kHeight + kBottom, content);
 }
 
-ReportTable largestTable(const Scene& scene, const Simulation& simulation) {
+ReportTable timeTable(const Simulation& simulation) {
+  ReportTable table;
+  table.caption =
+      "Times of the motion at which every sample was solved, and how often a measure was at its worst there";
+  table.columns = {"time\n[s]", "6σ at most\n[mm]", "at its worst"};
+  for (const SimulatedTime& time : simulation.times) {
+    table.rows.push_back({{figure(time.time, 5), 0.0, false},
+                          {millimetres(time.largest_6s), 0.0, false},
+                          {std::to_string(time.worst), 0.0, false}});
+  }
+  return table;
+}
+
+}  // namespace
+
+ReportTable largestVariationTable(const Scene& scene, const Simulation& simulation) {
   ReportTable table;
   table.caption = "Where each cable varies most";
   table.columns = {
@@ -71,21 +86,6 @@ ReportTable largestTable(const Scene& scene, const Simulation& simulation) {
   return table;
 }
 
-ReportTable timeTable(const Simulation& simulation) {
-  ReportTable table;
-  table.caption =
-      "Times of the motion at which every sample was solved, and how often a measure was at its worst there";
-  table.columns = {"time\n[s]", "6σ at most\n[mm]", "at its worst"};
-  for (const SimulatedTime& time : simulation.times) {
-    table.rows.push_back({{figure(time.time, 5), 0.0, false},
-                          {millimetres(time.largest_6s), 0.0, false},
-                          {std::to_string(time.worst), 0.0, false}});
-  }
-  return table;
-}
-
-}  // namespace
-
 ReportSection cableVariationSection(const Scene& scene, const Simulation& simulation) {
   ReportSection section("Along the cables");
   const bool over_motion = simulation.times.size() > 1;
@@ -100,7 +100,7 @@ ReportSection cableVariationSection(const Scene& scene, const Simulation& simula
     section.paragraph("What follows is of t = " + figure(simulation.shown_time, 5) +
                       " s, where the cables vary most.");
   }
-  section.table(largestTable(scene, simulation));
+  section.table(largestVariationTable(scene, simulation));
   for (const CableVariation& cable : simulation.cables) {
     section.chart(alongChart(cable), scene.harness.cables[cable.cable].name +
                                          ": six standard deviations in the direction that varies most, and "

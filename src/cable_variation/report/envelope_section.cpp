@@ -47,50 +47,6 @@ const char* kindText(EnvelopeClearance::Kind kind) {
   return "a bound for all shapes";
 }
 
-std::string containmentText(const Envelope& envelope) {
-  const Containment& found = envelope.containment;
-  if (found.shapes == 0) return "not looked at";
-  if (envelope.probability > 0.0) {
-    const auto missed = static_cast<double>(found.outside + found.failed);
-    return shareText(1.0 - missed / static_cast<double>(found.shapes)) + " held of " +
-           std::to_string(found.shapes) +
-           " fresh harnesses of production; of all, with 95 % confidence, all but " +
-           boundText(found.outside_bound) + " at most";
-  }
-  std::string text = std::to_string(found.outside) + " outside of " + std::to_string(found.shapes) +
-                     " independent random shapes";
-  if (found.outside > 0) text += ", by up to " + millimetres(found.largest_excess) + " mm";
-  return text + "; of all, with 95 % confidence, less than " + boundText(found.outside_bound);
-}
-
-ReportTable figureTable(const EnvelopeFindings& found) {
-  const Envelope& envelope = found.envelope;
-  ReportTable table{"The envelope", {"figure", "value", "unit", "what it is"}, {}};
-  const auto add = [&](const char* name, const std::string& value, const char* unit,
-                       const std::string& what) {
-    table.rows.push_back({plain(name), plain(value), plain(unit), {what, 0.0, false}});
-  };
-  add("volume", figure(1e6 * found.volume), "cm³",
-      "within its surface, which is at most " + millimetres(found.surface_excess, 2) + " mm outside of it");
-  add("inflation", millimetres(envelope.inflation), "mm",
-      "of every piece; " + millimetres(envelope.largest_inflation) +
-          " mm at most in those of rare shapes, near snaps");
-  if (!found.options.motions.empty()) {
-    add("motion", millimetres(envelope.motion_excess), "mm",
-        "at most, about, spanned by the pieces of " + std::to_string(envelope.phases.size()) +
-            " phases beyond the ways of the clips");
-  }
-  if (envelope.tightness.shapes > 0) {
-    add("tightness", figure(envelope.tightness.ratio()), "",
-        "times the volume of " + std::to_string(envelope.tightness.shapes) +
-            " random shapes together, in voxels of " + millimetres(envelope.tightness.voxel) + " mm");
-  }
-  add("shapes", std::to_string(envelope.samples.size()), "",
-      "kept of " + std::to_string(envelope.solves) + " solved; centrelines within about " +
-          millimetres(envelope.discretisation_error, 2) + " mm of the exact ones");
-  return table;
-}
-
 ReportTable closestTable(const Scene& scene, const EnvelopeFindings& found) {
   constexpr std::size_t kMost = 10;
   ReportTable table{
@@ -124,6 +80,50 @@ ReportTable snapTable(const Scene& scene, const EnvelopeFindings& found) {
 }
 
 }  // namespace
+
+std::string containmentText(const Envelope& envelope) {
+  const Containment& found = envelope.containment;
+  if (found.shapes == 0) return "not looked at";
+  if (envelope.probability > 0.0) {
+    const auto missed = static_cast<double>(found.outside + found.failed);
+    return shareText(1.0 - missed / static_cast<double>(found.shapes)) + " held of " +
+           std::to_string(found.shapes) +
+           " fresh harnesses of production; of all, with 95 % confidence, all but " +
+           boundText(found.outside_bound) + " at most";
+  }
+  std::string text = std::to_string(found.outside) + " outside of " + std::to_string(found.shapes) +
+                     " independent random shapes";
+  if (found.outside > 0) text += ", by up to " + millimetres(found.largest_excess) + " mm";
+  return text + "; of all, with 95 % confidence, less than " + boundText(found.outside_bound);
+}
+
+ReportTable envelopeTable(const EnvelopeFindings& found) {
+  const Envelope& envelope = found.envelope;
+  ReportTable table{"The envelope", {"figure", "value", "unit", "what it is"}, {}};
+  const auto add = [&](const char* name, const std::string& value, const char* unit,
+                       const std::string& what) {
+    table.rows.push_back({plain(name), plain(value), plain(unit), {what, 0.0, false}});
+  };
+  add("volume", figure(1e6 * found.volume), "cm³",
+      "within its surface, which is at most " + millimetres(found.surface_excess, 2) + " mm outside of it");
+  add("inflation", millimetres(envelope.inflation), "mm",
+      "of every piece; " + millimetres(envelope.largest_inflation) +
+          " mm at most in those of rare shapes, near snaps");
+  if (!found.options.motions.empty()) {
+    add("motion", millimetres(envelope.motion_excess), "mm",
+        "at most, about, spanned by the pieces of " + std::to_string(envelope.phases.size()) +
+            " phases beyond the ways of the clips");
+  }
+  if (envelope.tightness.shapes > 0) {
+    add("tightness", figure(envelope.tightness.ratio()), "",
+        "times the volume of " + std::to_string(envelope.tightness.shapes) +
+            " random shapes together, in voxels of " + millimetres(envelope.tightness.voxel) + " mm");
+  }
+  add("shapes", std::to_string(envelope.samples.size()), "",
+      "kept of " + std::to_string(envelope.solves) + " solved; centrelines within about " +
+          millimetres(envelope.discretisation_error, 2) + " mm of the exact ones");
+  return table;
+}
 
 ReportTable clearanceTable(const Scene& scene, const EnvelopeFindings& found) {
   const bool in_motion = !found.options.motions.empty();
@@ -168,7 +168,7 @@ ReportSection envelopeSection(const Scene& scene, const EnvelopeFindings& found)
                     std::to_string(envelope.containment.failed) +
                     " of the independent shapes: the envelope knows nothing of these.");
   }
-  section.table(figureTable(found));
+  section.table(envelopeTable(found));
   if (!found.clearances.empty()) {
     section.heading("Clearances");
     section.table(clearanceTable(scene, found));

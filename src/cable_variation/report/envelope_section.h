@@ -19,6 +19,12 @@ struct EnvelopeFindings {
   double volume = 0.0;          ///< within the surface [m³]
 };
 
+/// Volume, inflation and the like, each with what it is.
+ReportTable envelopeTable(const EnvelopeFindings& found);
+
+/// How sure the envelope is: what was found outside of it, and what can be concluded.
+std::string containmentText(const Envelope& envelope);
+
 /// The clearances, the closest first: what they are judged to be, the bound, the closest solved, the limit,
 /// where and when.
 ReportTable clearanceTable(const Scene& scene, const EnvelopeFindings& found);

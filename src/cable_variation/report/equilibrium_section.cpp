@@ -63,6 +63,10 @@ ReportTable reactionTable(const SolvedScene& solved) {
 
 }  // namespace
 
+std::vector<ReportTable> equilibriumTables(const SolvedScene& solved) {
+  return {shapeTable(solved), reactionTable(solved)};
+}
+
 ReportSection equilibriumSection(const Scene& scene, const SolvedScene& solved) {
   const Equilibrium& equilibrium = solved.equilibrium;
   ReportSection section("The design at rest");
@@ -72,8 +76,7 @@ ReportSection equilibriumSection(const Scene& scene, const SolvedScene& solved) 
                     " mm of the exact ones. Elastic energy " + figure(equilibrium.energy.elastic) +
                     " J. Other stable shapes met: " + std::to_string(equilibrium.alternatives.size()) + ".");
   for (const std::string& note : equilibrium.notes) section.warning(note);
-  section.table(shapeTable(solved));
-  section.table(reactionTable(solved));
+  for (const ReportTable& table : equilibriumTables(solved)) section.table(table);
   section.heading("Along the cables");
   section.paragraph(
       "From the start of each cable to its end; dotted: clips and joints, where forces and moments may jump; "

@@ -1,9 +1,14 @@
 #pragma once
 
+#include <vector>
+
 #include <cable_variation/measures/measure_evaluation.h>
 #include <cable_variation/report/section.h>
 
 namespace cable_variation {
+
+/// Its tables: the cables' shapes, and the reactions of clips and joints.
+std::vector<ReportTable> equilibriumTables(const SolvedScene& solved);
 
 /// The chapter of a report on the design at rest: shapes, reactions of clips and joints, how sure the figures
 /// are; force, moment, curvature and bend radius along each cable. Lengths in mm.

@@ -101,6 +101,8 @@ void addLowHigh(const Scene& scene, const StabilityAnalysis& analysis, ReportSec
   }
 }
 
+}  // namespace
+
 std::string couplingText(Coupling coupling) {
   switch (coupling) {
     case Coupling::uncoupled:
@@ -112,8 +114,6 @@ std::string couplingText(Coupling coupling) {
   }
   return "The design is coupled: tuning one measure changes others.";
 }
-
-}  // namespace
 
 ReportSection stabilitySection(const Scene& scene, const StabilityAnalysis& analysis,
                                const DesignValues& values) {

@@ -14,6 +14,9 @@ namespace cable_variation {
 ReportSection stabilitySection(const Scene& scene, const StabilityAnalysis& analysis,
                                const DesignValues& values);
 
+/// What the coupling of a design is, a sentence.
+std::string couplingText(Coupling coupling);
+
 /// Why a low or a high is not defined, and whether a snap lies before it; empty: nothing to say.
 std::string lowHighNote(const Scene& scene, const StabilityAnalysis& analysis, std::size_t measure,
                         std::size_t variable);

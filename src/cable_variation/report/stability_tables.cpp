@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include <cable_variation/report/markup.h>
 #include <cable_variation/util/display_unit.h>
 
 namespace cable_variation {

@@ -1,6 +1,5 @@
-#pragma once  // internal to report/
+#pragma once
 
-#include <cable_variation/report/markup.h>
 #include <cable_variation/report/section.h>
 #include <cable_variation/scene/scene.h>
 #include <cable_variation/sensitivity/stability_analysis.h>

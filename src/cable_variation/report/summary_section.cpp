@@ -18,33 +18,6 @@ std::string capitals(std::string text) {
   return text;
 }
 
-MeasureEvidence evidenceOf(const Review& review) {
-  MeasureEvidence evidence;
-  evidence.measures = review.measures;
-  for (const MeasureValue& value : review.measured) evidence.values.push_back(value.value);
-  evidence.linear = review.stability;
-  if (review.simulation != nullptr) {
-    evidence.simulation = &review.simulation->statistics;
-    // Over a motion the linear analysis is of one time, the simulated values are the worst of all.
-    const bool at_one_time = review.simulation->times.size() <= 1;
-    if (evidence.linear == nullptr && at_one_time) evidence.linear = &review.simulation->linear;
-    // ... and so are their values at the design.
-    const SimulationStatistics& statistics = review.simulation->statistics;
-    for (std::size_t i = 0; i < statistics.measures.size(); ++i) {
-      const auto found =
-          std::find(evidence.measures.begin(), evidence.measures.end(), statistics.measures[i]);
-      if (found == evidence.measures.end()) continue;
-      evidence.values[static_cast<std::size_t>(found - evidence.measures.begin())] = statistics.nominal[i];
-    }
-  }
-  for (std::size_t i = 0; review.path && i < evidence.measures.size(); ++i) {
-    const std::size_t measure = evidence.measures[i];
-    evidence.values[i] = worstAlong(review.path->check, review.scene.measures[measure], measure).worst;
-  }
-  if (review.envelope) evidence.clearances = &review.envelope->clearances;
-  return evidence;
-}
-
 /// Clips, and where measures that fail have their value.
 std::vector<SceneLabel> labelsOf(const Review& review, const std::vector<MeasureVerdict>& verdicts) {
   std::vector<SceneLabel> labels;
@@ -73,6 +46,33 @@ void addPicture(const Review& review, const std::vector<MeasureVerdict>& verdict
 }
 
 }  // namespace
+
+MeasureEvidence evidenceOf(const Review& review) {
+  MeasureEvidence evidence;
+  evidence.measures = review.measures;
+  for (const MeasureValue& value : review.measured) evidence.values.push_back(value.value);
+  evidence.linear = review.stability;
+  if (review.simulation != nullptr) {
+    evidence.simulation = &review.simulation->statistics;
+    // Over a motion the linear analysis is of one time, the simulated values are the worst of all.
+    const bool at_one_time = review.simulation->times.size() <= 1;
+    if (evidence.linear == nullptr && at_one_time) evidence.linear = &review.simulation->linear;
+    // ... and so are their values at the design.
+    const SimulationStatistics& statistics = review.simulation->statistics;
+    for (std::size_t i = 0; i < statistics.measures.size(); ++i) {
+      const auto found =
+          std::find(evidence.measures.begin(), evidence.measures.end(), statistics.measures[i]);
+      if (found == evidence.measures.end()) continue;
+      evidence.values[static_cast<std::size_t>(found - evidence.measures.begin())] = statistics.nominal[i];
+    }
+  }
+  for (std::size_t i = 0; review.path && i < evidence.measures.size(); ++i) {
+    const std::size_t measure = evidence.measures[i];
+    evidence.values[i] = worstAlong(review.path->check, review.scene.measures[measure], measure).worst;
+  }
+  if (review.envelope) evidence.clearances = &review.envelope->clearances;
+  return evidence;
+}
 
 ReportSection summarySection(const Review& review) {
   ReportSection section("Summary");

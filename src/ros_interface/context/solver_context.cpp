@@ -1,12 +1,11 @@
 #include <ros_interface/context/solver_context.h>
 
-#include <limits>
 #include <utility>
 
+#include <cable_variation/analysis/design_stability.h>
 #include <cable_variation/equilibrium/require_converged.h>
 #include <cable_variation/report/design_changes.h>
 #include <cable_variation/scene/design_rate.h>
-#include <cable_variation/scene/measure_traits.h>
 #include <cable_variation/scene_file/scene_reader.h>
 #include <cable_variation/util/sha256.h>
 
@@ -16,7 +15,6 @@ using cable_variation::ComponentPoses;
 using cable_variation::Design;
 using cable_variation::DesignValues;
 using cable_variation::Equilibrium;
-using cable_variation::EquilibriumOptions;
 using cable_variation::EquilibriumSolver;
 using cable_variation::Harness;
 using cable_variation::InputLimits;
@@ -47,12 +45,6 @@ SolverContext::SolverContext(Scene scene, const InputLimits& limits)
       harness_(harnessAt(design_, {}, moved_)),
       solver_(newSolver(loaded_)),
       equilibrium_(solver_.solve(harness_)) {}
-
-EquilibriumSolver SolverContext::newSolver(const Scene& scene) const {
-  EquilibriumOptions options;
-  options.accuracy = scene.accuracy;
-  return EquilibriumSolver(options);
-}
 
 void SolverContext::notify() {
   evaluator_in_force_ = false;
@@ -163,7 +155,7 @@ void SolverContext::confirm(const ros::Time& stamp) {
   if (confirmed_) confirmed_();
 }
 
-DesignOrigin SolverContext::origin() const {
+cable_variation::DesignOrigin SolverContext::origin() const {
   return {loaded_text_.empty() ? "" : cable_variation::sha256(loaded_text_),
           designChanges(loaded_, design_.scene, design_.shifts), author_};
 }
@@ -194,15 +186,7 @@ MeasureEvaluator SolverContext::evaluatorInForce() const {
 
 SolverContext::Trial SolverContext::solve(const DesignValues& values, const ComponentPoses& moved,
                                           bool follow) const {
-  Trial trial;
-  trial.harness = harnessAt(design_, values, moved);
-  EquilibriumSolver solver = follow ? solver_ : newSolver(design_.scene);
-  trial.equilibrium = follow ? solver.update(trial.harness) : solver.solve(trial.harness);
-  requireConverged(trial.equilibrium);
-  DesignValues all = values;
-  all.insert(design_.shifted.begin(), design_.shifted.end());
-  trial.components = componentPosesAt(design_.scene, all, moved);
-  return trial;
+  return solveTrial(design_, values, moved, follow ? &solver_ : nullptr);
 }
 
 const MeasureEvaluator& SolverContext::preparedEvaluator(const SolvedScene& any) const {
@@ -217,16 +201,9 @@ std::vector<MeasureValue> SolverContext::measure(const SolvedScene& at,
       evaluator_ = evaluatorInForce();
       evaluator_in_force_ = true;
     }
-    return evaluator_->evaluate(at, measures);
+    return measureTrial(design_.scene, *evaluator_, true, at, measures);
   }
-  std::vector<MeasureValue> values = preparedEvaluator(at).with(design_.scene, at).evaluate(at, measures);
-  for (std::size_t i = 0; i < measures.size(); ++i) {
-    if (!traitsOf(design_.scene.measures[measures[i]].type).from_nominal) continue;
-    values[i] = MeasureValue();
-    values[i].value = std::numeric_limits<double>::quiet_NaN();
-    values[i].note = "the design in force has no equilibrium to compare with";
-  }
-  return values;
+  return measureTrial(design_.scene, preparedEvaluator(at), false, at, measures);
 }
 
 std::vector<MeasureValue> SolverContext::measure(const Trial& trial,
@@ -235,33 +212,16 @@ std::vector<MeasureValue> SolverContext::measure(const Trial& trial,
 }
 
 StabilityAnalysis SolverContext::analyse(StabilityOptions& options) const {
-  const Harness harness = harnessAt(design_, options.values, moved_);
-  EquilibriumSolver solver = solver_;
-  Equilibrium equilibrium = options.values.empty() ? equilibrium_ : solver.update(harness);
-  if (!equilibrium.converged() && !options.values.empty()) equilibrium = solver.solve(harness);
-  requireConverged(equilibrium);
-  options.values.insert(design_.shifted.begin(), design_.shifted.end());
-  options.moved = moved_;
-  const ComponentPoses components = componentPosesAt(design_.scene, options.values, moved_);
-  const MeasureEvaluator& prepared = preparedEvaluator({harness, equilibrium, components});
-  return analyseStability(design_.scene, prepared, options, std::move(solver));
+  const auto prepared = [this](const SolvedScene& any) -> const MeasureEvaluator& {
+    return preparedEvaluator(any);
+  };
+  return analyseDesign(design_, moved_, equilibrium_, solver_, prepared, options);
 }
 
 cable_variation::EquilibriumRate SolverContext::shapeRate(std::size_t variable) const {
   EquilibriumSolver solver = solver_;
   const auto design = designRates(design_.scene, design_.shifted, moved_, {variable});
   return solver.differentiate({design.front().harness}).front();
-}
-
-EquilibriumSolver solverAt(const SolverContext::Snapshot& snapshot,
-                           const cable_variation::VariedDesign& design, bool other) {
-  EquilibriumSolver solver = snapshot.solver;
-  if (!other) return solver;
-  const Harness harness = harnessAt(snapshot.design.scene, design.values, design.moved);
-  Equilibrium equilibrium = solver.update(harness);
-  if (!equilibrium.converged()) equilibrium = solver.solve(harness);
-  requireConverged(equilibrium);
-  return solver;
 }
 
 }  // namespace cable_variation_ros

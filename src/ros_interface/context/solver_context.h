@@ -7,22 +7,16 @@
 
 #include <ros/time.h>
 
+#include <cable_variation/analysis/design_snapshot.h>
+#include <cable_variation/analysis/design_trial.h>
 #include <cable_variation/equilibrium/equilibrium.h>
 #include <cable_variation/scene/design.h>
 #include <cable_variation/sensitivity/stability_analysis.h>
-#include <cable_variation/tolerances/varied_design.h>
 #include <cable_variation/tracking/clip_attachment.h>
 #include <cable_variation/tracking/saved_design.h>
 #include <cable_variation/util/input_limits.h>
 
 namespace cable_variation_ros {
-
-/// Where a design comes from, for a report on it.
-struct DesignOrigin {
-  std::string source_hash;           ///< SHA-256 of the scene's file when it was loaded; empty: not known
-  std::vector<std::string> changes;  ///< what edits have changed since, see designChanges()
-  std::string author;                ///< of reports; empty: not told
-};
 
 /// The scene, the design in force and its shape: what the solver's services share.
 class SolverContext {
@@ -59,22 +53,14 @@ class SolverContext {
   std::size_t loads() const { return loads_; }
   /// Whether anything was edited since the scene was loaded or reset.
   bool edited() const { return edited_; }
-  DesignOrigin origin() const;
+  cable_variation::DesignOrigin origin() const;
   void setAuthor(const std::string& author) { author_ = author; }
 
   /// Another number, another scene or design; moving components does not change it.
   std::size_t designNumber() const { return design_number_; }
 
   /// A copy for work on another thread.
-  struct Snapshot {
-    cable_variation::Design design;
-    cable_variation::ComponentPoses moved;
-    cable_variation::EquilibriumSolver solver;  ///< follows the shape in force, if there is one
-    cable_variation::ComponentParts parts;      ///< as far as they have been prepared
-    std::size_t design_number = 0;
-    DesignOrigin origin;
-    cable_variation::ComponentPoses on_tf = {};
-  };
+  using Snapshot = cable_variation::DesignSnapshot;
   Snapshot snapshot() const;
   /// Components as far as they have been prepared: those that measures looked at.
   cable_variation::ComponentParts parts() const;
@@ -117,11 +103,7 @@ class SolverContext {
   void onConfirm(std::function<void()> callback) { confirmed_ = std::move(callback); }
 
   /// An equilibrium beside the one in force.
-  struct Trial {
-    cable_variation::Harness harness;
-    cable_variation::Equilibrium equilibrium;
-    cable_variation::ComponentPoses components;  ///< all, world
-  };
+  using Trial = cable_variation::DesignTrial;
   /// `follow`: from the shape in force, else from nothing.
   Trial solve(const cable_variation::DesignValues& values, const cable_variation::ComponentPoses& moved,
               bool follow) const;
@@ -140,7 +122,6 @@ class SolverContext {
   cable_variation::EquilibriumRate shapeRate(std::size_t variable) const;
 
  private:
-  cable_variation::EquilibriumSolver newSolver(const cable_variation::Scene& scene) const;
   void take(cable_variation::EquilibriumSolver solver, cable_variation::Design design,
             cable_variation::Harness harness, cable_variation::Equilibrium equilibrium, bool edited,
             std::optional<cable_variation::AttachedClips> attachment = {});
@@ -172,11 +153,5 @@ class SolverContext {
   std::size_t loads_ = 0;
   bool edited_ = false;
 };
-
-/// A snapshot's solver at `design`, from the shape in force where that can be followed. Throws as
-/// requireConverged() if there is no equilibrium.
-/// @param other it is not the design in force
-cable_variation::EquilibriumSolver solverAt(const SolverContext::Snapshot& snapshot,
-                                            const cable_variation::VariedDesign& design, bool other);
 
 }  // namespace cable_variation_ros

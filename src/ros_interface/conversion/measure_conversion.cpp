@@ -1,7 +1,7 @@
 #include <ros_interface/conversion/measure_conversion.h>
 
+#include <cable_variation/scene/enum_names.h>
 #include <cable_variation/scene/measure_traits.h>
-#include <ros_interface/conversion/enum_names.h>
 #include <ros_interface/conversion/message_conversion.h>
 
 namespace cable_variation_ros {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include <cable_variation/analysis/centreline_points.h>
 #include <cable_variation/equilibrium/bend_radius.h>
 #include <ros_interface/node/names.h>
 
@@ -84,16 +85,6 @@ Pose fromTransform(const geometry_msgs::Transform& transform, const std::string&
   return {position, orientation.normalized()};
 }
 
-namespace {
-
-/// Points of the centreline in a message.
-std::size_t centrelineCount(double length) {
-  constexpr double kStep = 0.002;  // [m]; straight pieces between are 5 µm off at a bend radius of 100 mm
-  return static_cast<std::size_t>(std::ceil(length / kStep)) + 1;
-}
-
-}  // namespace
-
 CableState toCableState(const CableShape& shape, double length) {
   CableState state;
   state.cable = shape.cable;
@@ -102,7 +93,7 @@ CableState toCableState(const CableShape& shape, double length) {
   const cable_variation::BendRadius bend = smallestBendRadius(shape);
   state.smallest_bend_radius = bend.radius;
   state.smallest_bend_radius_at = bend.arc_length;
-  for (const Pose& pose : shape.sample(centrelineCount(length))) {
+  for (const Pose& pose : shape.sample(cable_variation::centrelineCount(length))) {
     state.centreline.push_back(toPoint(pose.position));
   }
   for (const ShapePoint& point : shape.points) {

@@ -4,8 +4,8 @@
 #include <stdexcept>
 
 #include <ros_interface/conversion/message_conversion.h>
-#include <ros_interface/request/name_lookup.h>
-#include <ros_interface/request/request_fields.h>
+#include <cable_variation/analysis/name_lookup.h>
+#include <cable_variation/analysis/request_fields.h>
 
 namespace cable_variation_ros {
 
@@ -66,7 +66,8 @@ void checkFields(const CheckPathRequest& request) {
   }
   if (!request.motions.empty() && !request.path.poses.empty())
     throw std::invalid_argument("path: given with motions, expected none");
-  if (!(request.step >= 0.0 && std::isfinite(request.step))) refuse("step", request.step, "0 m or more");
+  if (!(request.step >= 0.0 && std::isfinite(request.step)))
+    cable_variation::refuse("step", request.step, "0 m or more");
 }
 
 }  // namespace
@@ -79,8 +80,8 @@ PathRequest toPath(const CheckPathRequest& request, const Design& design,
   result.step = request.step > 0.0 ? request.step : kUsualStep;
   if (!request.motions.empty()) {
     const std::vector<std::size_t> motions = playedMotions(request.motions, design.scene);
-    const TimeSpan span = timesOf(motions, request.from_time, request.to_time, design.scene);
-    if (!(span.to > span.from)) refuse("to_time", request.to_time, "more than from_time");
+    const cable_variation::TimeSpan span = timesOf(motions, request.from_time, request.to_time, design.scene);
+    if (!(span.to > span.from)) cable_variation::refuse("to_time", request.to_time, "more than from_time");
     result.over_motions = true;
     for (const std::string& motion : request.motions)
       result.about += (result.about.empty() ? "motion " : " and ") + motion;

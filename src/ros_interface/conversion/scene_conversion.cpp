@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
+#include <cable_variation/scene/enum_names.h>
 #include <cable_variation/scene/moving_components.h>
-#include <ros_interface/conversion/enum_names.h>
+#include <cable_variation/scene/target_name.h>
 #include <ros_interface/conversion/measure_conversion.h>
 #include <ros_interface/conversion/message_conversion.h>
 #include <ros_interface/conversion/scene_loading.h>
@@ -31,42 +32,6 @@ CableInfo toInfo(const Cable& cable) {
   info.preformed = !cable.rest_curvature.empty();
   return info;
 }
-
-/// Fills kind, target and member.
-struct DescribeTarget {
-  const Scene& scene;
-  DesignVariableInfo& info;
-
-  void set(const char* kind, const std::string& target, const std::string& member) const {
-    info.kind = kind;
-    info.target = target;
-    info.member = member;
-  }
-  void operator()(const ClipTranslation& t) const {
-    set("clip_translation", scene.harness.clips[t.clip].name, nameOf(t.axis));
-  }
-  void operator()(const ClipRotation& t) const {
-    set("clip_rotation", scene.harness.clips[t.clip].name, nameOf(t.axis));
-  }
-  void operator()(const ClipArcLength& t) const {
-    set("clip_arc_length", scene.harness.clips[t.clip].name, "");
-  }
-  void operator()(const CableProperty& t) const {
-    set("cable_property", scene.harness.cables[t.cable].name, nameOf(t.property));
-  }
-  void operator()(const BreakoutArcLength& t) const {
-    set("breakout_arc_length", scene.harness.joints[t.joint].name, "");
-  }
-  void operator()(const ComponentTranslation& t) const {
-    set("component_translation", scene.components[t.component].name, nameOf(t.axis));
-  }
-  void operator()(const ComponentRotation& t) const {
-    set("component_rotation", scene.components[t.component].name, nameOf(t.axis));
-  }
-  void operator()(const LocatorDeviation& t) const {
-    set("locator_deviation", scene.components[t.component].name, std::to_string(t.locator));
-  }
-};
 
 ComponentInfo toInfo(const Component& component) {
   ComponentInfo info;
@@ -157,7 +122,10 @@ MotionInfo toInfo(const Motion& motion) {
 DesignVariableInfo toInfo(const DesignVariable& variable, const Scene& scene) {
   DesignVariableInfo info;
   info.name = variable.name;
-  std::visit(DescribeTarget{scene, info}, variable.target);
+  const TargetName target = nameOf(variable.target, scene);
+  info.kind = target.kind;
+  info.target = target.target;
+  info.member = target.member;
   info.unit = variable.unit;
   info.nominal = variable.nominal;
   info.lower = variable.lower;

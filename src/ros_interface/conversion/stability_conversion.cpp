@@ -16,28 +16,19 @@ using cable_variation::LowHigh;
 using cable_variation::PointVariation;
 using cable_variation::Scene;
 using cable_variation::StabilityAnalysis;
-using cable_variation::Visual;
 
 namespace {
 
 ComponentVariationInfo toInfo(const ComponentVariation& variation, const Scene& scene,
                               const ComponentPoses& poses) {
-  const cable_variation::Component& component = scene.components[variation.component];
-  const cable_variation::Pose& pose = poses.at(component.name);
+  const std::string& name = scene.components[variation.component].name;
+  const PointVariation most = largestVariation(scene, variation, poses.at(name));
   ComponentVariationInfo info;
-  info.component = component.name;
-  for (const Visual& visual : component.visuals) {
-    if (!visual.mesh) continue;
-    for (const Eigen::Vector3d& vertex : visual.mesh->vertices) {
-      const Eigen::Vector3d point = pose * (visual.pose * vertex);
-      const PointVariation at = variationAt(variation, point);
-      if (!(at.six_sigma > info.largest_six_sigma)) continue;
-      info.largest_six_sigma = at.six_sigma;
-      info.at = toPoint(point);
-      info.direction = toVector(at.direction);
-      info.mean_shift = toVector(at.mean_shift);
-    }
-  }
+  info.component = name;
+  info.largest_six_sigma = most.six_sigma;
+  info.at = toPoint(most.point);
+  info.direction = toVector(most.direction);
+  info.mean_shift = toVector(most.mean_shift);
   return info;
 }
 

@@ -17,7 +17,7 @@
 #include <ros_interface/interaction/mouse_pose.h>
 #include <ros_interface/node/names.h>
 #include <ros_interface/node/queued_call.h>
-#include <ros_interface/request/name_lookup.h>
+#include <cable_variation/analysis/name_lookup.h>
 
 namespace cable_variation_ros {
 

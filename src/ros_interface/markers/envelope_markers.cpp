@@ -21,9 +21,9 @@ constexpr double kEdgeWidth = 2e-4;  // [m]
 
 }  // namespace
 
-MarkerArray envelopeMarkers(const Scene& scene, const std::vector<CableSurface>& surfaces) {
+MarkerArray envelopeMarkers(const Scene& scene, const std::vector<cable_variation::CableSurface>& surfaces) {
   MarkerArray array;
-  for (const CableSurface& surface : surfaces) {
+  for (const cable_variation::CableSurface& surface : surfaces) {
     Eigen::Vector4d colour = cableColour(surface.cable);
     colour[3] = kOpacity;
     MarkerGroup group(kEnvelopeMarkers + scene.harness.cables[surface.cable].name, kWorldFrame, colour);

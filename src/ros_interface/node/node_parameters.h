@@ -3,7 +3,7 @@
 #include <string>
 
 #include <cable_variation/util/input_limits.h>
-#include <ros_interface/node/output_directory.h>
+#include <ros_interface/node/default_output_directory.h>
 
 namespace ros {
 class NodeHandle;

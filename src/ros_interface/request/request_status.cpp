@@ -1,66 +1,37 @@
 #include <ros_interface/request/request_status.h>
 
-#include <new>
-#include <string>
-
-#include <cable_variation/scene_file/scene_reader.h>
-#include <cable_variation/util/error.h>
-#include <cable_variation/util/readable_text.h>
+#include <cable_variation/analysis/answer_status.h>
 
 namespace cable_variation_ros {
 
-using cable_variation::ErrorKind;
 using cable_variation::Status;
+using cable_variation::StatusCode;
 
 namespace {
 
-std::uint8_t codeOf(ErrorKind kind) {
-  switch (kind) {
-    case ErrorKind::invalid_input:
-      return Status::INVALID_ARGUMENT;
-    case ErrorKind::not_found:
-      return Status::NOT_FOUND;
-    case ErrorKind::not_converged:
-    case ErrorKind::impossible:
-      return Status::NOT_CONVERGED;
-    case ErrorKind::unstable:
-      return Status::UNSTABLE;
-    case ErrorKind::file_error:
-      return Status::IO_ERROR;
-    case ErrorKind::out_of_memory:
-      return Status::OUT_OF_MEMORY;
-    case ErrorKind::cancelled:
-      return Status::CANCELLED;
-    case ErrorKind::internal:
-      break;
-  }
-  return Status::INTERNAL_ERROR;
+constexpr bool same(StatusCode code, std::uint8_t of_message) {
+  return static_cast<std::uint8_t>(code) == of_message;
 }
-
-/// Names in a request may be of any length and any bytes; a scene's faults, a line each, have been made
-/// readable.
-std::string readable(const std::exception& error) {
-  if (dynamic_cast<const cable_variation::SceneError*>(&error) != nullptr) return error.what();
-  return cable_variation::readableText(error.what());
-}
-
-std::string messageOf(const std::exception& error, ErrorKind kind) {
-  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr)
-    return "there is no memory left for it";  // that says no more
-  if (kind != ErrorKind::internal) return readable(error);
-  return std::string("a fault of this program, please report it with the request and the scene: ") +
-         readable(error);
-}
+static_assert(same(StatusCode::success, Status::SUCCESS) &&
+              same(StatusCode::invalid_argument, Status::INVALID_ARGUMENT) &&
+              same(StatusCode::not_found, Status::NOT_FOUND) &&
+              same(StatusCode::not_converged, Status::NOT_CONVERGED) &&
+              same(StatusCode::unstable, Status::UNSTABLE) &&
+              same(StatusCode::cancelled, Status::CANCELLED) &&
+              same(StatusCode::io_error, Status::IO_ERROR) &&
+              same(StatusCode::out_of_memory, Status::OUT_OF_MEMORY) &&
+              same(StatusCode::internal_error, Status::INTERNAL_ERROR));
 
 }  // namespace
 
-Status statusOf(const std::exception& error) {
-  const ErrorKind kind = cable_variation::kindOf(error);
+Status toStatus(const cable_variation::AnswerStatus& answer) {
   Status status;
-  status.code = codeOf(kind);
-  status.message = messageOf(error, kind);
+  status.code = static_cast<std::uint8_t>(answer.code);
+  status.message = answer.message;
   return status;
 }
+
+Status statusOf(const std::exception& error) { return toStatus(cable_variation::answerStatus(error)); }
 
 Status runRequest(const std::function<void()>& body) {
   try {

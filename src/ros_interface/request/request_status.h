@@ -5,10 +5,14 @@
 
 #include <cable_variation/Status.h>
 
+#include <cable_variation/analysis/answer_status.h>
+
 namespace cable_variation_ros {
 
-/// What a client is told of an exception: the Status code of its kind (cable_variation::kindOf()), and its
-/// message; of a fault of this program that it is one.
+/// As a message.
+cable_variation::Status toStatus(const cable_variation::AnswerStatus& answer);
+
+/// What a client is told of an exception, see cable_variation::answerStatus().
 cable_variation::Status statusOf(const std::exception& error);
 
 /// Runs the body of a service handler: SUCCESS, or statusOf() what it threw.

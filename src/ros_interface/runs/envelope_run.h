@@ -5,11 +5,9 @@
 
 #include <cable_variation/GenerateEnvelope.h>
 
-#include <cable_variation/envelope/clearance/envelope_clearance.h>
+#include <cable_variation/analysis/envelope_calculation.h>
 #include <ros_interface/context/solver_context.h>
 #include <ros_interface/display/envelope_publisher.h>
-#include <ros_interface/runs/envelope_surfaces.h>
-#include <ros_interface/runs/envelope_task.h>
 #include <ros_interface/runs/long_run.h>
 
 namespace cable_variation_ros {
@@ -26,7 +24,7 @@ class EnvelopeRun : public LongRun {
 
   void prepare(const SolverContext& context) override;
   const std::string& name() const override { return task_.name; }
-  void calculate(RunControl& control) override;
+  void calculate(cable_variation::RunControl& control) override;
   bool keepsWhatWasDone() const override { return false; }
   bool show(const SolverContext& context) override;
   void warn(const std::string& warning) override { response_.warnings.push_back(warning); }
@@ -34,23 +32,15 @@ class EnvelopeRun : public LongRun {
   Response takeResponse() { return std::move(response_); }
 
  private:
-  struct Result {
-    cable_variation::EquilibriumSolver solver;  ///< the design's shape to follow
-    cable_variation::Envelope envelope;
-    std::vector<cable_variation::EnvelopeClearance> clearances;
-    EnvelopeSurfaces surfaces;
-  };
-
   const cable_variation::Scene& scene() const { return snapshot_.design.scene; }
-  Result solve(RunControl& control);
-  void answer(const Result& result);
-  void view(const Result& result);
-  void write(const Result& result, RunControl& control);
+  void answer(const cable_variation::EnvelopeCalculation& found);
+  void view(const cable_variation::EnvelopeCalculation& found);
+  void write(const cable_variation::EnvelopeCalculation& found, cable_variation::RunControl& control);
 
   Request request_;
   RunLimits limits_;
   EnvelopePublisher& publisher_;
-  EnvelopeTask task_;
+  cable_variation::EnvelopeTask task_;
   SolverContext::Snapshot snapshot_;
   Response response_;
   EnvelopeView view_;

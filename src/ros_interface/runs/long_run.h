@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <string>
 
-#include <ros_interface/node/output_directory.h>
-#include <ros_interface/runs/run_control.h>
+#include <cable_variation/analysis/output_directory.h>
+#include <cable_variation/analysis/run_control.h>
 
 namespace cable_variation_ros {
 
@@ -12,10 +12,10 @@ class SolverContext;
 
 /// What every long run of the node may use.
 struct RunLimits {
-  std::size_t threads = 0;    ///< for each run; 0: as many as there are cores
-  double memory_limit = 2e9;  ///< likewise [B]
-  OutputDirectory output;     ///< for files
-  double memory_total = 8e9;  ///< for all that are at work at once [B]
+  std::size_t threads = 0;                  ///< for each run; 0: as many as there are cores
+  double memory_limit = 2e9;                ///< likewise [B]
+  cable_variation::OutputDirectory output;  ///< for files
+  double memory_total = 8e9;                ///< for all that are at work at once [B]
 };
 
 /// A long calculation, from its request to its answer: what is to be done, not when and on which thread,
@@ -31,7 +31,7 @@ class LongRun {
   virtual const std::string& name() const = 0;
   /// Then, on a thread of its own: calculates, and writes the files. Throws what goes wrong.
   /// @param control told how far it is, and asked several times a second whether it is cancelled
-  virtual void calculate(RunControl& control) = 0;
+  virtual void calculate(cable_variation::RunControl& control) = 0;
   /// Whether a run that is cancelled has an answer too, of what was done until then; else calculate() throws
   /// cable_variation::Cancelled.
   virtual bool keepsWhatWasDone() const = 0;

@@ -59,7 +59,8 @@ void Runner::run(const std::shared_ptr<LongRun>& run, const char* who, const Wat
 }
 
 Progress Runner::calculate(const std::shared_ptr<LongRun>& run, const Watcher& watcher) {
-  auto background = std::make_unique<BackgroundRun>([run](RunControl& control) { run->calculate(control); });
+  auto background = std::make_unique<cable_variation::BackgroundRun>(
+      [run](cable_variation::RunControl& control) { run->calculate(control); });
   while (!background->wait(kLook)) {
     if (watcher(background->control().progress()) && !spinning_.stopped()) continue;
     if (!background->control().cancel() || run->keepsWhatWasDone()) continue;

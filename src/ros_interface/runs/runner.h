@@ -6,7 +6,7 @@
 #include <memory>
 #include <mutex>
 
-#include <ros_interface/runs/background_run.h>
+#include <cable_variation/analysis/background_run.h>
 #include <ros_interface/runs/long_run.h>
 
 namespace cable_variation_ros {
@@ -58,7 +58,7 @@ class Runner {
   RunLimits limits_;
   std::mutex mutex_;
   std::size_t at_work_ = 0;
-  std::list<std::unique_ptr<BackgroundRun>> cancelled_;  ///< that have not noticed yet
+  std::list<std::unique_ptr<cable_variation::BackgroundRun>> cancelled_;  ///< that have not noticed yet
 };
 
 }  // namespace cable_variation_ros

@@ -5,12 +5,12 @@
 
 #include <cable_variation/SimulateVariation.h>
 
+#include <cable_variation/analysis/simulation_task.h>
 #include <ros_interface/context/solver_context.h>
 #include <ros_interface/display/variation_publisher.h>
 #include <ros_interface/display/view_origin.h>
 #include <ros_interface/markers/simulation_markers.h>
 #include <ros_interface/runs/long_run.h>
-#include <ros_interface/runs/simulation_task.h>
 
 namespace cable_variation_ros {
 
@@ -26,7 +26,7 @@ class SimulationRun : public LongRun {
 
   void prepare(const SolverContext& context) override;
   const std::string& name() const override { return task_.name; }
-  void calculate(RunControl& control) override;
+  void calculate(cable_variation::RunControl& control) override;
   bool keepsWhatWasDone() const override { return true; }
   bool show(const SolverContext& context) override;
   void warn(const std::string& warning) override { response_.warnings.push_back(warning); }
@@ -37,7 +37,8 @@ class SimulationRun : public LongRun {
   Request request_;
   RunLimits limits_;
   VariationPublisher& publisher_;
-  SimulationTask task_;
+  cable_variation::SimulationTask task_;
+  VariationFigure show_ = VariationFigure::six_sigma;
   SolverContext::Snapshot snapshot_;
   std::optional<cable_variation::MeasureEvaluator> evaluator_;
   Response response_;

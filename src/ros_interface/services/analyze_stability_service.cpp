@@ -4,6 +4,8 @@
 
 #include <ros/node_handle.h>
 
+#include <cable_variation/analysis/design_stability.h>
+#include <cable_variation/analysis/name_lookup.h>
 #include <cable_variation/equilibrium/require_converged.h>
 #include <cable_variation/report/stability_section.h>
 #include <cable_variation/sensitivity/most_telling_variable.h>
@@ -14,11 +16,10 @@
 #include <ros_interface/markers/component_variation_markers.h>
 #include <ros_interface/markers/sensitivity_markers.h>
 #include <ros_interface/node/names.h>
-#include <ros_interface/request/design_values.h>
-#include <ros_interface/request/name_lookup.h>
 #include <ros_interface/request/name_registry.h>
 #include <ros_interface/request/request_status.h>
 #include <ros_interface/runs/report_file.h>
+#include <ros_interface/runs/requests.h>
 
 namespace cable_variation_ros {
 
@@ -43,20 +44,11 @@ std::optional<std::size_t> shownColumn(const cable_variation::AnalyzeStabilityRe
   throw std::invalid_argument("show: '" + request.show + "' is not among the variables analysed");
 }
 
-std::vector<ComponentVariation> variationsOf(const Scene& scene, const StabilityOptions& options) {
-  std::vector<ComponentVariation> variations;
-  for (std::size_t i = 0; i < scene.components.size(); ++i) {
-    const std::vector<std::size_t> own = ownVariables(scene, i);
-    if (own.empty()) continue;
-    variations.push_back(componentVariation(scene, i, own, options.values, options.moved));
-  }
-  return variations;
-}
-
 }  // namespace
 
 AnalyzeStabilityService::AnalyzeStabilityService(ros::NodeHandle& node, const SolverContext& context,
-                                                 VariationPublisher& publisher, const OutputDirectory& output,
+                                                 VariationPublisher& publisher,
+                                                 const cable_variation::OutputDirectory& output,
                                                  NameRegistry& names)
     : context_(context),
       publisher_(publisher),
@@ -84,25 +76,21 @@ void AnalyzeStabilityService::follow(const std::string& variable) {
 }
 
 AnalyzeStabilityService::Response AnalyzeStabilityService::analyse(const Request& request) {
-  if (!request.report.empty()) OutputDirectory::checkName(request.report);
+  if (!request.report.empty()) cable_variation::OutputDirectory::checkName(request.report);
   const NameRegistry::Hold hold(names_, "report", request.report, kAnalyzeStabilityService);
   const cable_variation::Design& design = context_.design();
   const Scene& scene = design.scene;
-  StabilityOptions options;
-  options.variables = indicesOf(request.variables, scene.design_variables, "design variable");
-  options.measures = indicesOf(request.measures, scene.measures, "measure");
+  StabilityOptions options = toStabilityOptions(fromMessage(request), scene);
   if (!request.show.empty()) indicesOf({request.show}, scene.design_variables, "design variable");
-  options.values = toDesignValues(scene, request.nominal_variables, request.nominal_values);
-  options.low_high = !request.skip_low_high;
   const StabilityAnalysis analysis = context_.analyse(options);
   requireConverged(analysis.nominal);
 
   const std::optional<std::size_t> column = shownColumn(request, scene, analysis);
 
   const ComponentPoses poses = componentPosesAt(scene, options.values, options.moved);
-  const std::vector<ComponentVariation> components = variationsOf(scene, options);
+  const std::vector<ComponentVariation> components = componentVariations(scene, options);
   Response response = toResponse(scene, options.values, analysis, components, poses);
-  if (!request.report.empty()) writeReport(request, scene, analysis, options, poses, response);
+  if (!request.report.empty()) writeReport(request, scene, analysis, options, response);
 
   if (request.show_components) {
     const ComponentVariationView view = componentVariationMarkers(
@@ -125,18 +113,12 @@ AnalyzeStabilityService::Response AnalyzeStabilityService::analyse(const Request
 
 void AnalyzeStabilityService::writeReport(const Request& request, const Scene& scene,
                                           const StabilityAnalysis& analysis, const StabilityOptions& options,
-                                          const ComponentPoses& poses, Response& response) const {
-  const cable_variation::Harness harness = harnessAt(scene, options.values, options.moved);
-  const cable_variation::SolvedScene solved{harness, analysis.nominal, poses};
-  cable_variation::Review review =
-      startReview("Stability analysis", context_.origin(), scene, options.values, solved);
-  review.measures = analysis.measures;
-  review.measured = analysis.values;
-  review.variables = analysis.variables;
-  review.stability = &analysis;
+                                          Response& response) const {
   const std::string csv = stabilityCsv(scene, analysis, options.values);
   response.csv_file = writeBeside(output_, request.report, ".csv", csv, response.status);
-  response.report_file = writeBeside(output_, request.report, ".html", reviewPage(review), response.status);
+  response.report_file =
+      writeBeside(output_, request.report, ".html",
+                  stabilityPage(context_.origin(), scene, analysis, options), response.status);
 }
 
 }  // namespace cable_variation_ros

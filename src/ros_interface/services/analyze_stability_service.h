@@ -7,7 +7,7 @@
 #include <cable_variation/AnalyzeStability.h>
 
 #include <cable_variation/sensitivity/stability_analysis.h>
-#include <ros_interface/node/output_directory.h>
+#include <cable_variation/analysis/output_directory.h>
 
 namespace ros {
 class NodeHandle;
@@ -23,7 +23,7 @@ class VariationPublisher;
 class AnalyzeStabilityService {
  public:
   AnalyzeStabilityService(ros::NodeHandle& node, const SolverContext& context, VariationPublisher& publisher,
-                          const OutputDirectory& output, NameRegistry& names);
+                          const cable_variation::OutputDirectory& output, NameRegistry& names);
 
   using Request = cable_variation::AnalyzeStabilityRequest;
   using Response = cable_variation::AnalyzeStabilityResponse;
@@ -35,14 +35,13 @@ class AnalyzeStabilityService {
   /// Writes the files: what cannot be written is told in the status.
   void writeReport(const Request& request, const cable_variation::Scene& scene,
                    const cable_variation::StabilityAnalysis& analysis,
-                   const cable_variation::StabilityOptions& options,
-                   const cable_variation::ComponentPoses& poses, Response& response) const;
+                   const cable_variation::StabilityOptions& options, Response& response) const;
   /// Shows the effect of a design variable on the shape in force, while there is one.
   void follow(const std::string& variable);
 
   const SolverContext& context_;
   VariationPublisher& publisher_;
-  OutputDirectory output_;
+  cable_variation::OutputDirectory output_;
   NameRegistry& names_;
   ros::ServiceServer server_;
 };

@@ -17,7 +17,7 @@
 #include <ros_interface/display/interference_publisher.h>
 #include <ros_interface/markers/clearance_markers.h>
 #include <ros_interface/node/names.h>
-#include <ros_interface/request/name_lookup.h>
+#include <cable_variation/analysis/name_lookup.h>
 #include <ros_interface/request/request_status.h>
 
 namespace cable_variation_ros {
@@ -36,8 +36,8 @@ using cable_variation::TriangleMesh;
 namespace {
 
 // A saved region by its name in the output folder, where no link may lead out of it, or by an address.
-std::string regionFile(const std::string& address, const OutputDirectory& output, const InputLimits& limits,
-                       std::string& path) {
+std::string regionFile(const std::string& address, const cable_variation::OutputDirectory& output,
+                       const InputLimits& limits, std::string& path) {
   const bool is_address = address.find("://") != std::string::npos;
   path = is_address ? resolveAddress(address, limits.region_bytes, limits.folders)
                     : output.pathOf(address, ".obj");
@@ -49,7 +49,7 @@ std::string regionFile(const std::string& address, const OutputDirectory& output
   }
 }
 
-ForbiddenRegion loadRegion(const std::string& address, const OutputDirectory& output,
+ForbiddenRegion loadRegion(const std::string& address, const cable_variation::OutputDirectory& output,
                            const InputLimits& limits) {
   std::string path;
   const std::string text = regionFile(address, output, limits, path);
@@ -138,7 +138,7 @@ std::vector<std::size_t> prepare(const std::vector<std::string>& names, const Sc
 
 CheckForbiddenRegionService::CheckForbiddenRegionService(ros::NodeHandle& node, const SolverContext& context,
                                                          InterferencePublisher& interference,
-                                                         const OutputDirectory& output)
+                                                         const cable_variation::OutputDirectory& output)
     : context_(context),
       interference_(interference),
       output_(output),

@@ -4,7 +4,7 @@
 
 #include <cable_variation/CheckForbiddenRegion.h>
 
-#include <ros_interface/node/output_directory.h>
+#include <cable_variation/analysis/output_directory.h>
 
 namespace ros {
 class NodeHandle;
@@ -19,7 +19,8 @@ class SolverContext;
 class CheckForbiddenRegionService {
  public:
   CheckForbiddenRegionService(ros::NodeHandle& node, const SolverContext& context,
-                              InterferencePublisher& interference, const OutputDirectory& output);
+                              InterferencePublisher& interference,
+                              const cable_variation::OutputDirectory& output);
 
   /// What was shown may no longer be where it was.
   void contextChanged();
@@ -32,7 +33,7 @@ class CheckForbiddenRegionService {
 
   const SolverContext& context_;
   InterferencePublisher& interference_;
-  OutputDirectory output_;
+  cable_variation::OutputDirectory output_;
   bool showing_ = false;
   ros::ServiceServer server_;
 };

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include <cable_variation/analysis/review_start.h>
 #include <cable_variation/equilibrium/require_converged.h>
 #include <cable_variation/report/path_section.h>
 #include <cable_variation/util/chosen_indices.h>
@@ -66,7 +67,7 @@ PathCheck followed(const Question& question) {
 }
 
 void writeReport(const std::string& name, const Question& question, const PathCheck& check,
-                 const OutputDirectory& output, CheckPathResponse& response) {
+                 const cable_variation::OutputDirectory& output, CheckPathResponse& response) {
   const cable_variation::Scene& scene = question.snapshot.design.scene;
   const cable_variation::SolvedScene solved = question.inForce();
   cable_variation::Review review =
@@ -84,7 +85,7 @@ void writeReport(const std::string& name, const Question& question, const PathCh
 
 CheckPathService::CheckPathService(const ros::NodeHandle& node, const SolverContext& context,
                                    SpinningThread& spinning, PathPublisher& publisher,
-                                   const OutputDirectory& output, NameRegistry& names)
+                                   const cable_variation::OutputDirectory& output, NameRegistry& names)
     : context_(context),
       spinning_(spinning),
       publisher_(publisher),
@@ -98,7 +99,7 @@ CheckPathService::Response CheckPathService::answer(const Request& request) {
 
 CheckPathService::Response CheckPathService::check(const Request& request) {
   if (!request.report.empty()) {
-    OutputDirectory::checkName(request.report);
+    cable_variation::OutputDirectory::checkName(request.report);
     output_.requireWritable();
   }
   const NameRegistry::Hold hold(names_, "report", request.report, kCheckPathService);

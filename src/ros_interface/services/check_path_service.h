@@ -4,7 +4,7 @@
 
 #include <cable_variation/CheckPath.h>
 
-#include <ros_interface/node/output_directory.h>
+#include <cable_variation/analysis/output_directory.h>
 #include <ros_interface/node/own_thread_service.h>
 
 namespace cable_variation_ros {
@@ -19,7 +19,8 @@ class CheckPathService {
  public:
   /// All must outlive it.
   CheckPathService(const ros::NodeHandle& node, const SolverContext& context, SpinningThread& spinning,
-                   PathPublisher& publisher, const OutputDirectory& output, NameRegistry& names);
+                   PathPublisher& publisher, const cable_variation::OutputDirectory& output,
+                   NameRegistry& names);
 
  private:
   using Request = cable_variation::CheckPathRequest;
@@ -30,7 +31,7 @@ class CheckPathService {
   const SolverContext& context_;
   SpinningThread& spinning_;
   PathPublisher& publisher_;
-  OutputDirectory output_;
+  cable_variation::OutputDirectory output_;
   NameRegistry& names_;
   OwnThreadService<cable_variation::CheckPath> server_;
 };

@@ -9,8 +9,8 @@
 #include <ros_interface/context/solver_context.h>
 #include <ros_interface/conversion/message_conversion.h>
 #include <ros_interface/node/names.h>
-#include <ros_interface/request/design_values.h>
-#include <ros_interface/request/name_lookup.h>
+#include <cable_variation/analysis/design_values.h>
+#include <cable_variation/analysis/name_lookup.h>
 #include <ros_interface/request/request_status.h>
 
 namespace cable_variation_ros {

@@ -73,8 +73,8 @@ std::string warningOfShape(const SolverContext& context) {
 
 }  // namespace
 
-SaveSceneService::SaveSceneService(ros::NodeHandle& node, SolverContext& context, OutputDirectory output,
-                                   NameRegistry& names)
+SaveSceneService::SaveSceneService(ros::NodeHandle& node, SolverContext& context,
+                                   cable_variation::OutputDirectory output, NameRegistry& names)
     : context_(context),
       output_(std::move(output)),
       names_(names),

@@ -4,7 +4,7 @@
 
 #include <cable_variation/SaveScene.h>
 
-#include <ros_interface/node/output_directory.h>
+#include <cable_variation/analysis/output_directory.h>
 #include <ros_interface/request/name_registry.h>
 
 namespace ros {
@@ -19,7 +19,7 @@ class SolverContext;
 class SaveSceneService {
  public:
   /// All must outlive this.
-  SaveSceneService(ros::NodeHandle& node, SolverContext& context, OutputDirectory output,
+  SaveSceneService(ros::NodeHandle& node, SolverContext& context, cable_variation::OutputDirectory output,
                    NameRegistry& names);
 
  private:
@@ -27,7 +27,7 @@ class SaveSceneService {
   void save(const cable_variation::SaveSceneRequest& request, cable_variation::SaveSceneResponse& response);
 
   SolverContext& context_;
-  OutputDirectory output_;
+  cable_variation::OutputDirectory output_;
   NameRegistry& names_;
   ros::ServiceServer server_;
 };

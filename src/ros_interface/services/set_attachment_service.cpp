@@ -14,8 +14,8 @@
 #include <ros_interface/conversion/message_conversion.h>
 #include <ros_interface/live/shape_watch.h>
 #include <ros_interface/node/names.h>
-#include <ros_interface/request/name_lookup.h>
-#include <ros_interface/request/request_fields.h>
+#include <cable_variation/analysis/name_lookup.h>
+#include <cable_variation/analysis/request_fields.h>
 #include <ros_interface/request/request_status.h>
 
 namespace cable_variation_ros {
@@ -29,9 +29,10 @@ namespace {
 /// The clip first, then those that open with it.
 std::vector<AttachmentWish> wishesOf(const SetAttachmentRequest& request,
                                      const std::vector<cable_variation::Clip>& clips) {
-  if (!(request.reach >= 0.0 && std::isfinite(request.reach))) refuse("reach", request.reach, "0 m or more");
+  if (!(request.reach >= 0.0 && std::isfinite(request.reach)))
+    cable_variation::refuse("reach", request.reach, "0 m or more");
   if (request.section > SetAttachmentRequest::CLOSEST)
-    refuse("section", request.section, "DESIGN, 0, or CLOSEST, 1");
+    cable_variation::refuse("section", request.section, "DESIGN, 0, or CLOSEST, 1");
   std::vector<std::string> names = {request.clip};
   names.insert(names.end(), request.opens.begin(), request.opens.end());
   std::vector<AttachmentWish> wishes;

@@ -1,46 +1,28 @@
 #include <ros_interface/services/solve_equilibrium_service.h>
 
-#include <sstream>
-
 #include <ros/node_handle.h>
 
+#include <cable_variation/analysis/design_trial.h>
+#include <cable_variation/analysis/design_values.h>
 #include <cable_variation/measures/open_parts.h>
-#include <cable_variation/scene/moving_components.h>
 #include <cable_variation/util/chosen_indices.h>
-#include <cable_variation/util/quantity.h>
 #include <ros_interface/context/solver_context.h>
 #include <ros_interface/conversion/measure_conversion.h>
 #include <ros_interface/conversion/message_conversion.h>
 #include <ros_interface/node/names.h>
-#include <ros_interface/request/design_values.h>
-#include <ros_interface/request/name_lookup.h>
 #include <ros_interface/request/name_registry.h>
 #include <ros_interface/request/request_status.h>
 #include <ros_interface/runs/report_file.h>
+#include <ros_interface/runs/requests.h>
 
 namespace cable_variation_ros {
 
 using cable_variation::ComponentPoses;
-using cable_variation::Motion;
 using cable_variation::Scene;
 
-namespace {
-
-ComponentPoses posesOf(const cable_variation::Design& design, const std::string& name, double time) {
-  const Scene& scene = design.scene;
-  const Motion& motion = scene.motions[indexOf(name, scene.motions, "motion")];
-  if (!(time >= 0.0 && time <= motion.duration())) {
-    std::ostringstream text;
-    text << "motion '" << name << "': time " << time << " s, expected 0 to " << motion.duration() << " s";
-    throw std::invalid_argument(text.str());
-  }
-  return placesOf(design, posesDuring(scene, {&motion}, time));
-}
-
-}  // namespace
-
 SolveEquilibriumService::SolveEquilibriumService(ros::NodeHandle& node, const SolverContext& context,
-                                                 const OutputDirectory& output, NameRegistry& names)
+                                                 const cable_variation::OutputDirectory& output,
+                                                 NameRegistry& names)
     : context_(context),
       output_(output),
       names_(names),
@@ -52,12 +34,13 @@ bool SolveEquilibriumService::handle(Request& request, Response& response) {
 }
 
 SolveEquilibriumService::Response SolveEquilibriumService::solve(const Request& request) {
-  if (!request.report.empty()) OutputDirectory::checkName(request.report);
+  if (!request.report.empty()) cable_variation::OutputDirectory::checkName(request.report);
   const NameRegistry::Hold hold(names_, "report", request.report, kSolveEquilibriumService);
   const Scene& scene = context_.design().scene;
   const cable_variation::DesignValues values = toDesignValues(scene, request.variables, request.values);
-  const ComponentPoses moved =
-      request.motion.empty() ? context_.moved() : posesOf(context_.design(), request.motion, request.time);
+  const ComponentPoses moved = request.motion.empty()
+                                   ? context_.moved()
+                                   : placesDuring(context_.design(), request.motion, request.time);
   const SolverContext::Trial trial = context_.solve(values, moved, request.follow);
   Response response = toResponse(trial.equilibrium, trial.harness);
   const std::vector<std::size_t> all = cable_variation::allIndices(scene.measures.size());
@@ -74,20 +57,9 @@ void SolveEquilibriumService::writeReport(const Request& request, const SolverCo
                                           const cable_variation::DesignValues& values,
                                           const std::vector<cable_variation::MeasureValue>& measured,
                                           Response& response) const {
-  const Scene& scene = context_.design().scene;
-  cable_variation::DesignValues all = values;
-  all.insert(context_.design().shifted.begin(), context_.design().shifted.end());
-  const cable_variation::SolvedScene solved{trial.harness, trial.equilibrium, trial.components};
-  cable_variation::Review review = startReview("Equilibrium", context_.origin(), scene, all, solved);
-  if (!request.motion.empty()) {
-    review.about = {{"Motion", request.motion + " at " + cable_variation::shortNumber(request.time) + " s"}};
-  }
-  review.measures = cable_variation::allIndices(scene.measures.size());
-  for (std::string& warning :
-       openPartWarnings(scene, context_.parts(), componentsMeasured(scene, review.measures)))
-    review.warnings.push_back(std::move(warning));
-  review.measured = measured;
-  response.report_file = writeBeside(output_, request.report, ".html", reviewPage(review), response.status);
+  const std::string page = equilibriumPage(fromMessage(request), context_.origin(), context_.design(), values,
+                                           trial, measured, context_.parts());
+  response.report_file = writeBeside(output_, request.report, ".html", page, response.status);
 }
 
 }  // namespace cable_variation_ros

@@ -7,7 +7,7 @@
 #include <cable_variation/SolveEquilibrium.h>
 
 #include <ros_interface/context/solver_context.h>
-#include <ros_interface/node/output_directory.h>
+#include <cable_variation/analysis/output_directory.h>
 
 namespace ros {
 class NodeHandle;
@@ -20,8 +20,8 @@ class NameRegistry;
 /// ~solve_equilibrium
 class SolveEquilibriumService {
  public:
-  SolveEquilibriumService(ros::NodeHandle& node, const SolverContext& context, const OutputDirectory& output,
-                          NameRegistry& names);
+  SolveEquilibriumService(ros::NodeHandle& node, const SolverContext& context,
+                          const cable_variation::OutputDirectory& output, NameRegistry& names);
 
  private:
   using Request = cable_variation::SolveEquilibriumRequest;
@@ -33,7 +33,7 @@ class SolveEquilibriumService {
                    const std::vector<cable_variation::MeasureValue>& measured, Response& response) const;
 
   const SolverContext& context_;
-  OutputDirectory output_;
+  cable_variation::OutputDirectory output_;
   NameRegistry& names_;
   ros::ServiceServer server_;
 };

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <cable_variation/scene/scene.h>
+
+namespace cable_variation {
+
+/// The design values of a request. Throws NotFound for a name that
+/// is no design variable, and std::invalid_argument for lists of different
+/// lengths, a name given twice or a value that is not finite.
+DesignValues toDesignValues(const Scene& scene, const std::vector<std::string>& variables,
+                            const std::vector<double>& values);
+
+}  // namespace cable_variation

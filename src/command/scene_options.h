@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <cable_variation/analysis/output_directory.h>
+#include <cable_variation/analysis/run_control.h>
+#include <cable_variation/scene/scene.h>
+#include <command/options.h>
+
+namespace cable_variation_command {
+
+/// The scene that a verb is about.
+struct SceneOption {
+  std::string scene;
+
+  void declare(Options& options);
+  /// Reads it. Throws as cable_variation::loadScene().
+  cable_variation::Scene load(cable_variation::RunControl& control) const;
+};
+
+/// Where files go, as the parameters of the solver's node say it.
+struct FileOptions {
+  std::string output_directory;  ///< empty: the working directory
+  std::string author;
+
+  void declare(Options& options);
+  cable_variation::OutputDirectory output() const;
+};
+
+/// What a calculation may use, likewise.
+struct LimitOptions {
+  std::uint64_t threads = 0;
+  double memory_limit = 2e9;  ///< [B]
+
+  void declare(Options& options);
+};
+
+/// Design variables off their nominal values: names and values, as two lists or as NAME=VALUE.
+class ValueOptions {
+ public:
+  /// @param names,values of the two options
+  void declare(const char* names, const char* values, Options& options);
+
+  /// Into a request. Values are SI, or have a unit that fits the variable. Throws NotFound for a name that is
+  /// none, and std::invalid_argument for a value that is none of the variable and for a count that is
+  /// another.
+  void resolve(const cable_variation::Scene& scene, std::vector<std::string>& names,
+               std::vector<double>& values) const;
+
+ private:
+  std::vector<std::string> names_, values_, pairs_;
+  std::string names_option_, values_option_;
+};
+
+}  // namespace cable_variation_command

@@ -1,0 +1,25 @@
+#include <command/verb.h>
+
+namespace cable_variation_command {
+
+const std::vector<VerbRow>& verbs() {
+  static const std::vector<VerbRow> kVerbs{
+      {"check", "all faults of a scene, what is implausible in it, and how large it is",
+       "Reads the scene and all files that it names, and solves it as it is.", makeCheck},
+      {"solve", "the shape that a harness takes, and all measures",
+       "With some design variables off their nominal values, as ~solve_equilibrium does it.", makeSolve},
+      {"stability", "which design variables drive which measures",
+       "Derivatives, contributions, worst case, low and high, as ~analyze_stability has them.",
+       makeStability},
+      {"envelope", "the space that cables take up within their tolerances, and its clearances",
+       "At rest or over motions, for the worst case or a share of production, as ~generate_envelope does it.",
+       makeEnvelope},
+      {"simulate", "production: statistics, capability and contributions of every measure",
+       "Ctrl-C ends it with what was done by then. As ~simulate_variation does it.", makeSimulate},
+      {"report", "all of it on one page, with verdicts",
+       "The design at rest, its stability analysis, a simulation and the envelope.", makeReport},
+  };
+  return kVerbs;
+}
+
+}  // namespace cable_variation_command

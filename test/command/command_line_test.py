@@ -1,0 +1,290 @@
+#!/usr/bin/env python3
+"""The program cable_variation, without a ROS master: command_line_test.py PROGRAM SOURCES"""
+import json
+import math
+import os
+import pty
+import re
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+PROGRAM, SOURCES = (os.path.abspath(word) for word in sys.argv[1:3])
+HARNESS = os.path.join(SOURCES, 'config', 'harness.yaml')
+SCENES = ('harness', 'harness_clipped', 'hose', 'rear_lamp', 'robot_assembly')
+PATIENCE = 170  # [s]; the machine may be busy
+
+OUT_OF_REACH = """
+materials:
+  bundle: {young_modulus: 1.0e8, poisson_ratio: 0.25, density: 2000}
+cables:
+  - {name: main, length: 100 mm, section: {type: solid, radius: 4 mm, material: bundle}}
+clips:
+  - {name: start, type: fixed, cable: main, at: start, pose: {position: [0, 0, 0]}}
+  - {name: end, type: fixed, cable: main, at: end, pose: {position: [0.3, 0, 0]}}
+design_variables:
+  - {name: length, cable: main, property: length, tolerance: 3 mm, distribution: {type: uniform}}
+measures:
+  - {name: bend, type: bend_radius, cable: main, lower: 40 mm}
+"""
+
+# Only the program: no master, no package path, nothing of a devel space.
+ENVIRONMENT = {'PATH': '/usr/bin:/bin', 'ROS_MASTER_URI': 'http://localhost:1'}
+ENVIRONMENT.update({name: value for name, value in os.environ.items()
+                    if 'SAN_OPTIONS' in name or name == 'LD_LIBRARY_PATH'})
+
+
+def run(*words, environment=None, **options):
+    return subprocess.run([PROGRAM, *words], capture_output=True, text=True, timeout=PATIENCE, check=False,
+                          env={**ENVIRONMENT, **(environment or {})}, **options)
+
+
+def fail_on_constant(name):
+    raise ValueError(name + ' is no JSON')
+
+
+def parsed(text):
+    return json.loads(text, parse_constant=fail_on_constant)
+
+
+class CommandLineTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def good(self, *words):
+        result = run(*words, cwd=self.folder)
+        self.assertEqual((result.returncode, result.stderr), (0, ''), words)
+        return result.stdout
+
+    def answer(self, *words):
+        answer = parsed(self.good(*words, '--json'))
+        self.assertEqual(answer['status'], {'code': 0, 'message': ''})
+        return answer
+
+    def scene(self, name, text):
+        path = os.path.join(self.folder, name)
+        with open(path, 'w', encoding='utf-8') as file:
+            file.write(text)
+        return path
+
+    def test_check_tells_what_shipped_scenes_are_made_of(self):
+        for name in SCENES:
+            scene = os.path.join(SOURCES, 'config', name + '.yaml')
+            answer = self.answer('check', scene)
+            self.assertEqual(answer['source'], scene)
+            self.assertEqual(answer['warnings'], [])
+            self.assertIn('no faults', self.good('check', scene))
+            for cable in answer['cables']:
+                box = cable['bounding_box']
+                diagonal = math.dist(*[[box[end][axis] for axis in 'xyz'] for end in ('low', 'high')])
+                self.assertGreater(diagonal, 0.02)
+                self.assertLess(diagonal, 2 * cable['length'])
+            for component in answer['components']:
+                self.assertEqual('bounding_box' in component, component['triangles'] > 0)
+
+    def test_check_tells_all_faults_and_warnings(self):
+        with open(HARNESS, encoding='utf-8') as file:
+            text = file.read()
+        broken = self.scene('broken.yaml', text.replace('gravity:', 'gravty:') + '\nnonsense: 1\n')
+        result = run('check', broken)
+        self.assertEqual((result.returncode, result.stdout), (2, ''))
+        self.assertIn("broken.yaml:", result.stderr)
+        for word in ('gravty', 'nonsense'):
+            self.assertIn(word, result.stderr)
+        result = run('check', broken, '--json')
+        answer = parsed(result.stdout)
+        self.assertEqual((result.returncode, answer['status']['code']), (2, 1))
+        self.assertGreaterEqual(len(answer['faults']), 2)
+        self.assertTrue(all(fault['line'] > 0 and fault['file'] == broken for fault in answer['faults']))
+        odd = self.scene('odd.yaml', re.sub(r'gravity: .*', 'gravity: [0, 0, -98.1]', text))
+        result = run('check', odd, environment={'ROS_PACKAGE_PATH': SOURCES})
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertRegex(result.stderr, r'^warning: .*odd.yaml:\d+: ')
+
+    def test_wrong_usage_is_2_and_says_what_is_meant(self):
+        for words, said in (
+                ((), 'no verb'),
+                (('chekc',), "unknown verb 'chekc'; did you mean 'check'?"),
+                (('check',), 'SCENE is missing'),
+                (('check', HARNESS, HARNESS), 'unexpected'),
+                (('check', HARNESS, '--reprot', 'x'), "unknown option '--reprot'"),
+                (('solve', HARNESS, '--reprot', 'x'), "unknown option '--reprot'; did you mean '--report'?"),
+                (('solve', HARNESS, '--report', 'x', '--report', 'y'), '--report: is given twice'),
+                (('solve', HARNESS, '--report', '../x'), "file name '../x'"),
+                (('solve', HARNESS, '--variables', 'wh_start_rz'), 'expected one value each'),
+                (('solve', HARNESS, '--set', 'wh_start_rz'), 'expected NAME=VALUE'),
+                (('solve', HARNESS, '--set', 'wh_start_rz=5mm'), 'wh_start_rz'),
+                (('solve', HARNESS, '--set', 'wh_strat_rz=5deg'), "did you mean 'wh_start_rz'?"),
+                (('solve', HARNESS, '--motion', 'run'), "no motion named 'run'"),
+                (('simulate', HARNESS, '--samples', 'many'), '--samples: is '),
+                (('simulate', HARNESS, '--sampler', 'halton'), "'halton'"),
+                (('simulate', HARNESS, '--confidence', '1.5'), 'confidence: is 1.5'),
+                (('envelope', HARNESS, '--probability', '2'), 'probability: is 2'),
+                (('envelope', HARNESS, '--motion_only'), 'motions: is empty'),
+                (('stability', HARNESS, '--measures', 'D_CARR'), "no measure named 'D_CARR'"),
+                (('report', HARNESS, '--chapters', 'envelop'), "did you mean 'envelope'?"),
+                (('check', os.path.join(self.folder, 'none.yaml')), 'does not exist'),
+                (('check', 'package://no_such_package/x.yaml'), "package 'no_such_package'"),
+                (('check', self.folder), 'is a folder')):
+            result = run(*words, cwd=self.folder)
+            self.assertEqual((result.returncode, result.stdout), (2, ''), words)
+            self.assertIn(said, result.stderr, words)
+            self.assertEqual(result.stderr.count('\n'), 1, result.stderr)
+        self.assertEqual(os.listdir(self.folder), [])
+
+    def test_help_and_version(self):
+        overview = self.good('--help')
+        for verb in ('check', 'solve', 'stability', 'envelope', 'simulate', 'report'):
+            self.assertRegex(overview, r'\n  %s +\w' % verb)
+            self.assertIn('--json', self.good(verb, '--help'))
+        self.assertRegex(self.good('--version'), r'^cable_variation \d+\.\d+\.\d+\n$')
+
+    def test_options_are_the_fields_of_the_services(self):
+        shown = {'show', 'show_components', 'show_pieces', 'sample_shapes'}  # in RViz
+        for verb, service in (('solve', 'SolveEquilibrium'), ('stability', 'AnalyzeStability'),
+                              ('envelope', 'GenerateEnvelope'), ('simulate', 'SimulateVariation')):
+            with open(os.path.join(SOURCES, 'srv', service + '.srv'), encoding='utf-8') as file:
+                fields = set(re.findall(r'^\w+(?:\[\])? +(\w+)', file.read().split('---')[0], re.MULTILINE)) - shown
+            options = set(re.findall(r'^  --(\w+)', self.good(verb, '--help'), re.MULTILINE))
+            self.assertLessEqual(fields, options, verb)
+            self.assertLessEqual(options - fields, {'set', 'output_directory', 'author', 'threads', 'memory_limit',
+                                                    'json', 'help'})
+
+    def test_solve_with_units_as_without(self):
+        plain = self.answer('solve', HARNESS, '--variables', 'wh_start_rz', '--values', '0.05')
+        for words in (('--set', 'wh_start_rz=50mrad'), ('--set=wh_start_rz=0.05',),
+                      ('--variables=wh_start_rz', '--values=0.05')):
+            other = self.answer('solve', HARNESS, *words)
+            del other['solve_time']
+            self.assertEqual(other, {name: value for name, value in plain.items() if name != 'solve_time'}, words)
+        self.assertGreater(plain['smallest_eigenvalue'], 0)
+        text = self.good('solve', HARNESS, '--set', 'wh_start_rz=0.05')
+        self.assertIn('%.4g' % plain['smallest_eigenvalue'], text)
+        self.assertIn('%.4g' % (1e3 * plain['shapes'][0]['smallest_bend_radius']), text)
+        for measure in plain['measures']:
+            self.assertIn(measure['name'], text)
+
+    def test_files_are_where_they_were_asked_for(self):
+        below = os.path.join(self.folder, 'a', 'b')
+        answer = self.answer('solve', HARNESS, '--report', 'at_rest', '--output_directory', below)
+        self.assertEqual(answer['report_file'], os.path.join(below, 'at_rest.html'))
+        self.assertEqual(os.listdir(below), ['at_rest.html'])
+        answer = self.answer('stability', HARNESS, '--skip_low_high', '--report', 's')
+        self.assertEqual([answer['csv_file'], answer['report_file']],
+                         [os.path.join(self.folder, 's.csv'), os.path.join(self.folder, 's.html')])
+        answer = self.answer('simulate', HARNESS, '--samples', '200', '--name', 'run')
+        self.assertEqual(sorted(name for name in os.listdir(self.folder) if name.startswith('run')),
+                         ['run.csv', 'run.html', 'run_contributions.csv', 'run_statistics.csv'])
+        with open(answer['samples_file'], encoding='utf-8') as file:
+            self.assertEqual(len(file.readlines()), 201)
+
+    def test_what_cannot_be_written_is_1_with_the_answer(self):
+        in_the_way = self.scene('in_the_way', '')
+        result = run('solve', HARNESS, '--report', 'x', '--output_directory', in_the_way, '--json')
+        answer = parsed(result.stdout)
+        self.assertEqual((result.returncode, answer['status']['code'], answer['report_file']), (1, 6, ''))
+        self.assertIn(in_the_way, result.stderr)
+        self.assertTrue(answer['shapes'])
+        if os.path.exists('/dev/full'):
+            with open('/dev/full', 'w', encoding='utf-8') as full:
+                result = subprocess.run([PROGRAM, 'check', HARNESS], stdout=full, stderr=subprocess.PIPE, text=True,
+                                        timeout=PATIENCE, check=False, env=ENVIRONMENT)
+            self.assertEqual(result.returncode, 1)
+            self.assertIn('cannot be written', result.stderr)
+
+    def test_no_equilibrium_is_1(self):
+        scene = self.scene('apart.yaml', OUT_OF_REACH)
+        for verb in ('check', 'solve', 'stability'):
+            result = run(verb, scene, '--json')
+            self.assertEqual(result.returncode, 1, result.stderr)
+            self.assertEqual(parsed(result.stdout)['status']['code'], 3)
+            self.assertEqual(result.stderr.count('\n'), 1, result.stderr)
+
+    def test_any_number_of_threads_gives_the_same_bits(self):
+        timeless = []
+        for threads in ('1', '2'):
+            answer = self.answer('simulate', HARNESS, '--samples', '1500', '--seed', '7', '--threads', threads)
+            for name in ('simulation_time', 'samples_per_second', 'report_time'):
+                del answer[name]
+            timeless.append(answer)
+        self.assertEqual(*timeless)
+
+    def test_envelope_and_report(self):
+        words = ('--variables', 'wh_start_ry', '--verification_shapes', '200', '--name', 'e')
+        answer = self.answer('envelope', HARNESS, *words)
+        self.assertEqual(answer['variables'], ['wh_start_ry'])
+        self.assertGreater(answer['volume'], 0)
+        for kind in ('mesh', 'urdf', 'region', 'report'):
+            self.assertTrue(os.path.exists(answer[kind + '_file']), kind)
+        answer = self.answer('report', HARNESS, '--samples', '500', '--chapters', 'simulation', '--report', 'page')
+        with open(answer['report_file'], encoding='utf-8') as file:
+            page = file.read()
+        for chapter in ('The design at rest', 'Stability analysis', 'Variation simulation'):
+            self.assertIn(chapter, page)
+        self.assertIn(answer['verdict'], ('pass', 'marginal', 'fail', 'unknown', 'no limits'))
+
+    def test_progress_on_a_terminal(self):
+        terminal, end = pty.openpty()
+        process = subprocess.Popen([PROGRAM, 'simulate', HARNESS, '--samples', '20000'], stdout=subprocess.PIPE,
+                                   stderr=end, env=ENVIRONMENT)
+        os.close(end)
+        shown = b''
+        while True:
+            try:
+                part = os.read(terminal, 4096)
+            except OSError:  # nobody writes there any more
+                break
+            if not part:
+                break
+            shown += part
+        process.communicate(timeout=PATIENCE)
+        os.close(terminal)
+        self.assertEqual(process.returncode, 0)
+        self.assertRegex(shown.decode(), r'\r  samples +\[#*\.*\] +\d+ %  \d+ of 20000')
+        self.assertTrue(shown.endswith(b'\r'))
+
+    def interrupted(self, words, begun):
+        """What a run leaves that is interrupted once begun() is true: exit code, both outputs, seconds to the end."""
+        process = subprocess.Popen([PROGRAM, *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                                   cwd=self.folder, env=ENVIRONMENT)
+        end = time.time() + PATIENCE
+        while not begun():
+            self.assertIsNone(process.poll(), 'it has ended')
+            self.assertLess(time.time(), end)
+            time.sleep(0.02)
+        process.send_signal(signal.SIGINT)
+        out, err = process.communicate(timeout=PATIENCE)
+        return process.returncode, out, err
+
+    def test_ctrl_c_leaves_no_half_files(self):
+        start = time.time()
+        words = ('envelope', HARNESS, '--name', 'half', '--verification_shapes', '10000000')
+        code, out, err = self.interrupted(words, lambda: time.time() > start + 2)
+        self.assertEqual((code, out), (1, ''))
+        self.assertEqual(err, 'cable_variation envelope: cancelled\n')
+        self.assertEqual(os.listdir(self.folder), [])
+
+    def test_ctrl_c_keeps_the_samples_done(self):
+        partial = os.path.join(self.folder, 'long.csv.partial')
+        words = ('simulate', HARNESS, '--samples', '100000000', '--name', 'long', '--json')
+        code, out, err = self.interrupted(words,
+                                          lambda: os.path.exists(partial) and os.path.getsize(partial) > 100000)
+        answer = parsed(out)
+        self.assertEqual((code, answer['status']['code']), (1, 5))
+        self.assertRegex(err, r'^cable_variation simulate: cancelled after \d+ of 100000000 samples\n$')
+        self.assertGreater(answer['samples'], 0)
+        self.assertEqual(answer['samples_file'], partial)
+        self.assertFalse(os.path.exists(os.path.join(self.folder, 'long.csv')))
+        with open(partial, encoding='utf-8') as file:
+            lines = file.readlines()
+        self.assertEqual(len(lines), 1 + answer['samples'])
+        self.assertTrue(lines[-1].endswith('\n'))
+
+
+if __name__ == '__main__':
+    unittest.main(argv=sys.argv[:1])
