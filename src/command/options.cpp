@@ -78,6 +78,17 @@ void Options::word(const char* name, std::string& to, const std::string& help) {
   words_.push_back({name, help, &to});
 }
 
+void Options::shortName(char letter, const char* name) {
+  find(name);
+  letters_[letter] = name;
+}
+
+/// A word as it is, but the short name of an option as the long one.
+std::string Options::longForm(const std::string& word) const {
+  const auto letter = word.size() == 2 && word.front() == '-' ? letters_.find(word.back()) : letters_.end();
+  return letter == letters_.end() ? word : "--" + letter->second;
+}
+
 void Options::flag(const char* name, bool& to, const std::string& help) {
   add({name, "", help, Takes::nothing, [&to](const auto& /*none*/) { to = true; }});
 }
@@ -136,7 +147,7 @@ bool Options::given(const std::string& name) const {
 void Options::read(const std::vector<std::string>& words) {
   std::size_t taken = 0;
   for (std::size_t i = 0; i < words.size();) {
-    const std::string& word = words[i++];
+    const std::string word = longForm(words[i++]);
     if (!isOption(word)) {
       if (taken == words_.size()) {
         throw UsageError("unexpected " + quoted(word) + ", expected " +
@@ -157,7 +168,8 @@ void Options::read(const std::vector<std::string>& words) {
     const std::size_t most = option.takes == Takes::nothing ? 0
                              : option.takes == Takes::one   ? 1
                                                             : words.size();
-    while (equals == std::string::npos && i < words.size() && values.size() < most && !isOption(words[i]))
+    while (equals == std::string::npos && i < words.size() && values.size() < most &&
+           !isOption(longForm(words[i])))
       values.push_back(words[i++]);
     if (option.takes != Takes::nothing && values.empty())
       throw UsageError("--" + option.name + ": has no value, expected " + option.value);

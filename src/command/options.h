@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -20,6 +21,9 @@ class Options {
  public:
   /// The word before or after all options. @param help of one line, as those below
   void word(const char* name, std::string& to, const std::string& help);
+
+  /// A letter that "-LETTER" stands for an option by, which is declared.
+  void shortName(char letter, const char* name);
 
   void flag(const char* name, bool& to, const std::string& help);
   void text(const char* name, const char* value, std::string& to, const std::string& help);
@@ -57,7 +61,10 @@ class Options {
   void add(Option option);
   Option& find(const std::string& name);
 
+  std::string longForm(const std::string& word) const;
+
   std::vector<Option> options_;
+  std::map<char, std::string> letters_;
   std::vector<Word> words_;
 };
 

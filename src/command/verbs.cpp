@@ -18,6 +18,10 @@ const std::vector<VerbRow>& verbs() {
        "Ctrl-C ends it with what was done by then. As ~simulate_variation does it.", makeSimulate},
       {"report", "all of it on one page, with verdicts",
        "The design at rest, its stability analysis, a simulation and the envelope.", makeReport},
+      {"import", "a harness from its KBL file, as a scene file",
+       "Segments become cables and joints, placed parts clips; what the file lacks comes from a mapping\n"
+       "(doc/import.md). All that is stale or missing in the file is told with its ids.",
+       makeImport},
   };
   return kVerbs;
 }

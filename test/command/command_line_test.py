@@ -139,7 +139,7 @@ class CommandLineTest(unittest.TestCase):
 
     def test_help_and_version(self):
         overview = self.good('--help')
-        for verb in ('check', 'solve', 'stability', 'envelope', 'simulate', 'report'):
+        for verb in ('check', 'solve', 'stability', 'envelope', 'simulate', 'report', 'import'):
             self.assertRegex(overview, r'\n  %s +\w' % verb)
             self.assertIn('--json', self.good(verb, '--help'))
         self.assertRegex(self.good('--version'), r'^cable_variation \d+\.\d+\.\d+\n$')
@@ -196,6 +196,37 @@ class CommandLineTest(unittest.TestCase):
                                         timeout=PATIENCE, check=False, env=ENVIRONMENT)
             self.assertEqual(result.returncode, 1)
             self.assertIn('cannot be written', result.stderr)
+
+    def test_import_writes_a_scene_that_solves(self):
+        kbl = os.path.join(SOURCES, 'test', 'data', 'kbl', 'small.kbl')
+        mapping = self.scene('map.yaml', 'parts:\n  F-100: {clip: sliding_rolling}\n')
+        text = self.good('import', kbl, '--mapping', mapping, '-o', 'scene.yaml')
+        self.assertIn('scene.yaml: 4 segments as 3 cables, 2 joints and 4 clips; 0 findings', text)
+        self.assertIn('default: bundle.density', text)
+        self.good('solve', 'scene.yaml')
+        with open(os.path.join(self.folder, 'scene.yaml'), encoding='utf-8') as file:
+            self.assertEqual(self.good('import', kbl, '--mapping', mapping), file.read())
+        answer = self.answer('import', kbl, '--rest_shape', 'curve', '--output', 'curve.yaml')
+        self.assertEqual((answer['cables'], answer['findings'], answer['output']), (3, [], 'curve.yaml'))
+        self.assertIn('clip fixed', ' '.join(answer['defaults']))
+        self.good('solve', 'curve.yaml')
+
+    def test_import_tells_what_is_stale_and_what_is_broken(self):
+        with open(os.path.join(SOURCES, 'test', 'data', 'kbl', 'small.kbl'), encoding='utf-8') as file:
+            kbl = file.read()
+        stale = self.scene('stale.kbl', kbl.replace('>200.000000<', '>230.000000<'))
+        result = run('import', stale, '-o', 'scene.yaml', cwd=self.folder)
+        self.assertEqual(result.returncode, 0)
+        self.assertRegex(result.stderr, r"^warning: .*stale.kbl:\d+: stale curve: Segment 'Segment_1': .* 200 mm long")
+        broken = self.scene('broken.kbl', kbl.replace('<Start_node>Node_1<', '<Start_node>Node_77<'))
+        result = run('import', broken, '-o', 'broken.yaml', cwd=self.folder)
+        self.assertEqual(result.returncode, 2)
+        self.assertRegex(result.stderr, r"broken.kbl:\d+: Segment 'Segment_1', Start_node: .*'Node_77'")
+        self.assertFalse(os.path.exists(os.path.join(self.folder, 'broken.yaml')))
+        mapping = self.scene('map.yaml', 'part: {}\n')
+        result = run('import', stale, '--mapping', mapping, cwd=self.folder)
+        self.assertEqual((result.returncode, result.stdout), (2, ''))
+        self.assertIn("did you mean 'parts'", result.stderr)
 
     def test_no_equilibrium_is_1(self):
         scene = self.scene('apart.yaml', OUT_OF_REACH)

@@ -57,6 +57,15 @@ TEST_F(OptionsTest, ValuesArriveWhereTheyBelong) {
   EXPECT_EQ(seed_, std::numeric_limits<std::uint64_t>::max());
 }
 
+TEST_F(OptionsTest, ALetterStandsForAnOption) {
+  options_.shortName('r', "report");
+  options_.read({"a.yaml", "--variables", "x", "-r", "page", "--margin", "-1"});
+  EXPECT_EQ(report_, "page");
+  EXPECT_EQ(variables_, std::vector<std::string>{"x"});
+  EXPECT_DOUBLE_EQ(margin_, -1.0);
+  EXPECT_THROW(options_.shortName('x', "nothing"), UsageError);
+}
+
 TEST_F(OptionsTest, WhatIsLeftOutStaysAsItIs) {
   options_.read({"a.yaml"});
   EXPECT_TRUE(variables_.empty());
