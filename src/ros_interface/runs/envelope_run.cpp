@@ -90,6 +90,7 @@ EnvelopeRun::Result EnvelopeRun::solve(RunControl& control) {
   clearance_options.skip_near_clips = task_.skip_near_clips;
   clearance_options.check = check;
   cable_variation::ClosestSolved closest(scene(), task_.options, snapshot_.parts, solver, clearance_options);
+  task_.options.cuts = closest.cuts();
   result.envelope =
       generateEnvelope(scene(), task_.options, solver, control.observer(kEnvelopeShare), closest.witness());
 
