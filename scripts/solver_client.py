@@ -58,6 +58,14 @@ def parse_length(text):
     return parse_value(text)
 
 
+def parse_share(text):
+    """0.02 or 2%, as 0.02."""
+    try:
+        return float(text[:-1]) / 100 if text.endswith('%') else float(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError("'%s': expected a share, such as 0.02 or 2%%" % text)
+
+
 def parse_variable(text):
     """NAME=VALUE, in SI units, mm or deg, as (name, SI value)."""
     name, equals, value = text.partition('=')

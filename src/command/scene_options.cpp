@@ -7,6 +7,8 @@
 #include <cable_variation/analysis/name_lookup.h>
 #include <cable_variation/analysis/scene_loading.h>
 #include <cable_variation/scene/package_finder.h>
+#include <cable_variation/scene_file/scene_reader.h>
+#include <cable_variation/scene_file/scene_writer.h>
 #include <cable_variation/util/quantity.h>
 #include <cable_variation/util/unit.h>
 
@@ -34,12 +36,25 @@ void SceneOption::declare(Options& options) {
                "a scene file: its path, or a package:// or file:// address; before the options");
 }
 
+std::string SceneOption::findPackage(const std::string& package) const {
+  return cable_variation::findPackageNear(package, scene);
+}
+
+std::string SceneOption::edited(const Scene& loaded, const Scene& wanted) const {
+  const auto find = [&](const std::string& package) { return findPackage(package); };
+  const cable_variation::InputLimits limits;
+  const std::string path = cable_variation::resolveAddress(scene, find, limits.scene_bytes, limits.folders);
+  const std::string text = editedSceneText(cable_variation::readSceneFile(path, limits), loaded, wanted);
+  requireSame(cable_variation::readSceneText(text, scene, find, limits), wanted);
+  return text;
+}
+
 Scene SceneOption::load(cable_variation::RunControl& control) const {
   control.report({"reading"});
   std::map<std::string, std::string> known;  // looking for one takes a while
   const auto find = [&](const std::string& package) {
     const auto [place, is_new] = known.emplace(package, "");
-    if (is_new) place->second = cable_variation::findPackageNear(package, scene);
+    if (is_new) place->second = findPackage(package);
     return place->second;
   };
   return cable_variation::loadScene(scene, find, nullptr);

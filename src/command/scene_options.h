@@ -18,6 +18,12 @@ struct SceneOption {
   void declare(Options& options);
   /// Reads it. Throws as cable_variation::loadScene().
   cable_variation::Scene load(cable_variation::RunControl& control) const;
+  /// The text of the file with the values of another scene, made from it by edits; comments and order stay.
+  /// Throws as editedSceneText() and requireSame().
+  std::string edited(const cable_variation::Scene& loaded, const cable_variation::Scene& wanted) const;
+
+ private:
+  std::string findPackage(const std::string& package) const;
 };
 
 /// Where files go, as the parameters of the solver's node say it.

@@ -48,6 +48,8 @@ const std::vector<VerbRow>& verbs();
 // One file each.
 std::unique_ptr<Verb> makeCheck();
 std::unique_ptr<Verb> makeEnvelope();
+std::unique_ptr<Verb> makeExport();
+std::unique_ptr<Verb> makeIdentify();
 std::unique_ptr<Verb> makeImport();
 std::unique_ptr<Verb> makeReport();
 std::unique_ptr<Verb> makeSimulate();

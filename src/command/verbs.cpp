@@ -22,6 +22,14 @@ const std::vector<VerbRow>& verbs() {
        "Segments become cables and joints, placed parts clips; what the file lacks comes from a mapping\n"
        "(doc/import.md). All that is stale or missing in the file is told with its ids.",
        makeImport},
+      {"export", "the shape that a harness takes, as files for other programs",
+       "Positions, forces and moments along the cables as CSV and VTK, curves as DXF, surfaces as STL.",
+       makeExport},
+      {"identify", "design variables found from measured points of a cable",
+       "Stiffness, rest curvature, directions of clamps: whatever of the scene's design variables is "
+       "unknown,\n"
+       "with standard deviations; what the points do not tell is said.",
+       makeIdentify},
   };
   return kVerbs;
 }

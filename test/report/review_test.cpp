@@ -212,7 +212,7 @@ TEST(Review, TellsTheTolerancesThatWentIn) {
   EXPECT_EQ(table.cell("wh_start_rx", "unit"), "deg");
   EXPECT_EQ(table.cell("wh_start_rx", "distribution"), "normal, limits at 3 σ");
   EXPECT_EQ(table.cell("wh_start_rx", "of"), "clip WH_Start about its x");
-  EXPECT_EQ(table.cell("bracket_A1", "of"), "part start_bracket, locator 1");
+  EXPECT_EQ(table.cell("bracket_A1", "of"), "part start_bracket, locator 0");
 }
 
 TEST(Review, TellsReactionsWithTheirComponents) {

@@ -115,6 +115,9 @@ class SetAttachmentTest(NodeTest):
         self.assertEqual(len(refused), 1)
         self.assertEqual(refused[0].clip, 'C')
         self.assertIn('mm away, expected at most 30 mm', refused[0].text)
+        self.motion.publish(time=0.1, duration=2, playing=True)  # back: B holds what it then held, far as it fell
+        self.eventually(lambda: self.attached() == {'A': True, 'B': True, 'C': False, 'ring': False}, 'back')
+        self.assertEqual(len(self.told(CableEvent.CLIP_REFUSED)), 1)
 
 
 if __name__ == '__main__':

@@ -46,8 +46,10 @@ EnvelopeCalculation calculateEnvelope(const EnvelopeTask& task, const DesignSnap
   clearance_options.skip_near_clips = task.skip_near_clips;
   clearance_options.check = check;
   ClosestSolved closest(scene, task.options, snapshot.parts, found.solver, clearance_options);
-  found.envelope = generateEnvelope(scene, task.options, found.solver, control.observer(kEnvelopeShare),
-                                    closest.witness());
+  EnvelopeOptions options = task.options;
+  options.cuts = closest.cuts();
+  found.envelope =
+      generateEnvelope(scene, options, found.solver, control.observer(kEnvelopeShare), closest.witness());
 
   Clock::time_point start = Clock::now();
   control.report({"clearances", kEnvelopeShare, found.envelope.solves});

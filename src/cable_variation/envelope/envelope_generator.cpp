@@ -140,7 +140,7 @@ class Generator {
     }
     for (const std::size_t cable : options_.cables) {
       const CableView view(harness.cables[cable], equilibrium.shapes[cable]);
-      const auto own = cutIntoStretches(cable, view, kLongestStretch * thinnest);
+      const auto own = cutIntoStretches(cable, view, kLongestStretch * thinnest, options_.cuts);
       stretches_.insert(stretches_.end(), own.begin(), own.end());
     }
     memory_ = EnvelopeMemory(reader_.readWithRates(start, harness, equilibrium, solver_), equilibrium);

@@ -8,6 +8,7 @@
 #include <cable_variation/equilibrium/equilibrium.h>
 #include <cable_variation/scene/scene.h>
 #include <cable_variation/tolerances/varied_design.h>
+#include <cable_variation/tracking/material_stretch.h>
 #include <cable_variation/tracking/shape_follower.h>
 #include <cable_variation/util/progress.h>
 
@@ -19,6 +20,7 @@ struct EnvelopeOptions : VariedDesign {
   double from = 0.0;                ///< of the motions [s]
   double to = -1.0;                 ///< likewise; negative: the end of the longest
   std::vector<std::string> frames;  ///< components to see the envelope from, beside the world
+  std::vector<MaterialCut> cuts;    ///< where pieces are to end besides, see ClosestSolved::cuts()
   /// Share of production whose whole shape is to be held, in (0, 1), at rest; 0: all that the tolerances
   /// allow.
   double probability = 0.0;

@@ -1,4 +1,4 @@
-#pragma once  // internal to report/
+#pragma once
 
 #include <optional>
 #include <string>

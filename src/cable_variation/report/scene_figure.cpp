@@ -13,7 +13,9 @@ namespace cable_variation {
 
 namespace {
 
-constexpr double kLetter = 12.0, kLine = 24.0;  // of the font below [px]
+constexpr double kFont = 21.0, kLine = 24.0;  // of the style below [px]
+// What letters of wide fonts take, capitals and others, of the font's size; and bold ones more.
+constexpr double kCapital = 0.72, kSmall = 0.63, kBold = 1.12;
 constexpr const char* kText = "font:21px sans-serif;paint-order:stroke;stroke:var(--paper);stroke-width:5px;";
 
 struct Box {
@@ -28,11 +30,14 @@ struct Box {
   }
 };
 
-/// UTF-8 letters.
-std::size_t letters(const std::string& text) {
-  std::size_t count = 0;
-  for (std::size_t at = 0; at < text.size(); ++at) count += continuesUtf8(text, at) ? 0 : 1;
-  return count;
+/// The room that a text (UTF-8) takes [px].
+double widthOf(const std::string& text, bool bold) {
+  double width = 0.0;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (continuesUtf8(text, at)) continue;
+    width += text[at] >= 'A' && text[at] <= 'Z' ? kCapital : kSmall;
+  }
+  return kFont * width * (bold ? kBold : 1.0);
 }
 
 std::string styled(double x, double y, const char* anchor, const std::string& style,
@@ -50,7 +55,7 @@ class Labelling {
     const Eigen::Vector3d at = camera_.project(label.place);
     const Box place{at.x() - 3.0, at.y() - 3.0, 6.0, 6.0};
     if (!place.within(camera_.width, camera_.height)) return "";
-    const double width = kLetter * static_cast<double>(letters(label.text));
+    const double width = widthOf(label.text, label.bad);
     for (const double away : {14.0, 40.0, 75.0, 115.0, 160.0}) {
       for (const auto& [x, y] : kSides) {
         const Box box{at.x() + away * x +

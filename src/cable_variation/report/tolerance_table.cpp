@@ -68,7 +68,7 @@ std::string targetText(const Scene& scene, const DesignTarget& target) {
           [&](const ComponentTranslation& t) { return part(t.component) + " along its " + axisName(t.axis); },
           [&](const ComponentRotation& t) { return part(t.component) + " about its " + axisName(t.axis); },
           [&](const LocatorDeviation& t) {
-            return part(t.component) + ", locator " + std::to_string(t.locator + 1);
+            return part(t.component) + ", locator " + std::to_string(t.locator);
           }},
       target);
 }

@@ -33,9 +33,8 @@ void checkBending(const YamlCursor& stiffness, const std::string& key, double EA
   const double most = mostBendingStiffness(EA, radius);
   if (value <= most) return;
   const Range plausible{0.0, most, true};
-  given->warn(given->found() + ", which is " + shortNumber(value) +
-              " N m^2; with EA and radius as they are expected " + "at most " + shortNumber(most) + " N m^2" +
-              meant(*given, value, plausible, {{"N mm^2", 1e-6}}));
+  given->warn(given->foundAs(value, "N m^2") + "; with EA and radius as they are expected " + "at most " +
+              shortNumber(most) + " N m^2" + meant(*given, value, plausible, {{"N mm^2", 1e-6}}));
 }
 
 void checkStiffness(const YamlCursor& owner) {

@@ -89,8 +89,7 @@ void checkMaterial(const YamlCursor& material) {
   if (const auto modulus = material.find("young_modulus")) {
     const double value = modulus->number(quantity::pressure);
     if (!kModulus.holds(value)) {
-      modulus->warn(modulus->found() + ", which is " + shortNumber(value) + " Pa; cables have " +
-                    kModulus.text("Pa") +
+      modulus->warn(modulus->foundAs(value, "Pa") + "; cables have " + kModulus.text("Pa") +
                     meant(*modulus, value, kModulus, {{"kPa", 1e3}, {"MPa", 1e6}, {"GPa", 1e9}}));
     }
   }
@@ -98,8 +97,7 @@ void checkMaterial(const YamlCursor& material) {
     const double value = density->number(quantity::density);
     if (value > 0.0 && !kDensity.holds(value)) {
       density->warn(
-          density->found() + ", which is " + shortNumber(value) + " kg/m^3; cables have " +
-          kDensity.text("kg/m^3") +
+          density->foundAs(value, "kg/m^3") + "; cables have " + kDensity.text("kg/m^3") +
           meant(*density, value, kDensity,
                 {{"g/m^3", 1e-3}, {"g/cm^3", 1e3}, {"g/mm^3", 1e6}, {"kg/mm^3", 1e9}, {"t/mm^3", 1e12}}));
     }

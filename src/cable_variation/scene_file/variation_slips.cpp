@@ -75,8 +75,8 @@ void checkDeviation(const YamlCursor& number, double deviation, const Reference&
   const bool odd_bare =
       bare && variable.unit == "m" && size >= kLeastBare && size > kBareShare * reference.measure;
   if (size <= reference.measure && !odd_bare) return;
-  number.warn(number.found() + ", which is " + shortNumber(size) + " " + variable.unit + ", " +
-              reference.text + (bare ? (variable.unit == "m" ? "; in mm?" : "; in %?") : "; is that meant?"));
+  number.warn(number.foundAs(size, variable.unit) + ", " + reference.text +
+              (bare ? (variable.unit == "m" ? "; in mm?" : "; in %?") : "; is that meant?"));
 }
 
 void checkTolerance(const YamlCursor& number, double deviation, const DesignVariable& variable,

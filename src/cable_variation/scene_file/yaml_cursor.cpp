@@ -43,6 +43,11 @@ std::string YamlCursor::found() const {
   return "found nothing";
 }
 
+std::string YamlCursor::foundAs(double value, const std::string& unit) const {
+  const std::string is = shortNumber(value) + " " + unit;
+  return node_.IsScalar() && node_.Scalar() == is ? found() : found() + ", which is " + is;
+}
+
 bool YamlCursor::checkKeys(const std::vector<std::string>& allowed) const {
   if (!node_.IsMap()) {
     fail(found() + "; expected a map with keys " + joined(allowed));

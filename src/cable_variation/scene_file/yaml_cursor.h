@@ -50,6 +50,9 @@ class YamlCursor {
 
   /// What is there, for a message: "found '5 deg'", "found a list".
   std::string found() const;
+  /// found(), and what that is as a number, unless it is written like that already: "found '1e3 MPa', which
+  /// is 1e9 Pa".
+  std::string foundAs(double value, const std::string& unit) const;
   /// Whether this is a number without a unit.
   bool isBareNumber() const;
 

@@ -9,6 +9,24 @@ namespace {
 // Shares of a piece of less than this are none: they come from rounding [-].
 constexpr double kNone = 1e-9;
 
+// Where a piece of curve is cut: at the places that are to be, and so that no part is longer than `longest`.
+std::vector<double> placesOfCuts(const Centreline::Piece& whole, double longest,
+                                 const std::vector<double>& to_be) {
+  const double least = kNone * (whole.end - whole.start);
+  std::vector<double> places{whole.start};
+  const auto upTo = [&](double next) {
+    const double from = places.back();
+    const int count = std::max(1, static_cast<int>(std::ceil((next - from) / longest)));
+    for (int k = 1; k < count; ++k) places.push_back(from + (next - from) * k / count);
+    places.push_back(next);
+  };
+  for (const double place : to_be) {
+    if (place > places.back() + least && place < whole.end - least) upTo(place);
+  }
+  upTo(whole.end);
+  return places;
+}
+
 }  // namespace
 
 StationIntervals::StationIntervals(const CableView& view) : view_(&view) {
@@ -58,7 +76,13 @@ double StationIntervals::largestRadius(const MaterialStretch& stretch) const {
   return largest;
 }
 
-std::vector<MaterialStretch> cutIntoStretches(std::size_t cable, const CableView& view, double longest) {
+std::vector<MaterialStretch> cutIntoStretches(std::size_t cable, const CableView& view, double longest,
+                                              const std::vector<MaterialCut>& cuts) {
+  std::vector<double> to_be;
+  for (const MaterialCut& cut : cuts) {
+    if (cut.cable == cable) to_be.push_back(cut.arc_length);
+  }
+  std::sort(to_be.begin(), to_be.end());
   const StationIntervals intervals(view);
   std::vector<MaterialStretch> stretches;
   std::size_t piece = 0;
@@ -66,12 +90,10 @@ std::vector<MaterialStretch> cutIntoStretches(std::size_t cable, const CableView
     const double start = intervals.start(interval), length = intervals.end(interval) - start;
     for (; piece < view.pieces().size() && view.line().pieces[piece].start < start + length * (1.0 - kNone);
          ++piece) {
-      const Centreline::Piece& whole = view.line().pieces[piece];
-      const int count = std::max(1, static_cast<int>(std::ceil((whole.end - whole.start) / longest)));
-      const auto cut = [&](int k) { return whole.start + (whole.end - whole.start) * k / count; };
-      for (int k = 0; k < count; ++k) {
-        stretches.push_back(
-            {cable, interval, (cut(k) - start) / length, (cut(k + 1) - start) / length, cut(k), cut(k + 1)});
+      const std::vector<double> places = placesOfCuts(view.line().pieces[piece], longest, to_be);
+      for (std::size_t k = 0; k + 1 < places.size(); ++k) {
+        stretches.push_back({cable, interval, (places[k] - start) / length, (places[k + 1] - start) / length,
+                             places[k], places[k + 1]});
       }
     }
   }

@@ -39,8 +39,15 @@ class StationIntervals {
   std::vector<std::size_t> first_;  // piece of each interval, and the end
 };
 
+/// Where a stretch of a cable's material is to end.
+struct MaterialCut {
+  std::size_t cable = 0;    ///< index into Harness::cables
+  double arc_length = 0.0;  ///< nominal [m]
+};
+
 /// All of a solved cable, cut so that no stretch is longer than `longest` [m] or crosses a point of the
-/// shape.
-std::vector<MaterialStretch> cutIntoStretches(std::size_t cable, const CableView& view, double longest);
+/// shape or one of the cuts that are of this cable.
+std::vector<MaterialStretch> cutIntoStretches(std::size_t cable, const CableView& view, double longest,
+                                              const std::vector<MaterialCut>& cuts = {});
 
 }  // namespace cable_variation

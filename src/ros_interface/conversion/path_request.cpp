@@ -17,6 +17,8 @@ using cable_variation::TimedPose;
 namespace {
 
 constexpr double kUsualStep = 5e-3;  // [m]
+// Recorded poses that are looked at one by one if no step is asked for; of more, steps.
+constexpr std::size_t kMostPoses = 15'000;
 
 bool rise(const std::vector<geometry_msgs::PoseStamped>& poses) {
   for (std::size_t i = 1; i < poses.size(); ++i) {
@@ -86,6 +88,7 @@ PathRequest toPath(const CheckPathRequest& request, const Design& design,
     for (const std::string& motion : request.motions)
       result.about += (result.about.empty() ? "motion " : " and ") + motion;
     result.path = pathOfMotions(design, on_tf, motions, span.from, span.to);
+    result.path.every_pose = request.step == 0.0 && result.path.times.size() <= kMostPoses;
     return result;
   }
   timesOf({}, request.from_time, request.to_time, design.scene);  // throws

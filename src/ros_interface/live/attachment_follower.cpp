@@ -1,6 +1,7 @@
 #include <ros_interface/live/attachment_follower.h>
 
 #include <exception>
+#include <limits>
 #include <string>
 
 #include <ros/node_handle.h>
@@ -21,14 +22,23 @@ AttachmentFollower::AttachmentFollower(ros::NodeHandle& node, SolverContext& con
       subscriber_(node.subscribe(kMotionStateTopic, 1, &AttachmentFollower::hear, this)) {}
 
 void AttachmentFollower::hear(const cable_variation::MotionState& state) {
-  const std::vector<AttachmentWish> wishes =
-      scheduledAt(context_.design().scene, context_.harness(), state.time);
+  std::vector<AttachmentWish> wishes = scheduledAt(context_.design().scene, context_.harness(), state.time);
+  went_back_ = went_back_ || state.time < time_;
+  time_ = state.time;
   std::set<std::pair<std::size_t, bool>> wanted;
   for (const AttachmentWish& wish : wishes) wanted.emplace(wish.clip, wish.attached);
   if (wishes.empty() || !context_.equilibrium().converged()) {
-    if (wishes.empty()) refused_.clear();
+    if (wishes.empty()) {
+      refused_.clear();
+      went_back_ = false;
+    }
     return;
   }
+  // What was let go or missed later in the motion is held again, wherever it is: this is no assembly.
+  for (AttachmentWish& wish : wishes) {
+    if (went_back_) wish.reach = std::numeric_limits<double>::infinity();
+  }
+  went_back_ = false;
   try {
     context_.attach(
         withAttachments(context_.design(), wishes, context_.harness(), context_.equilibrium()).design);

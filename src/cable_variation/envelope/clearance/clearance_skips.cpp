@@ -42,16 +42,24 @@ double skippedNearJoints(const Scene& scene, const ClearanceOptions& options, st
   return smallest.value_or(4.0 * radii);
 }
 
+std::vector<std::size_t> clipsBetween(const Scene& scene, const Harness& harness, std::size_t cable,
+                                      const std::string& component) {
+  std::vector<std::size_t> clips;
+  const Component& part = scene.components[componentIndex(scene, component)];
+  for (std::size_t i = 0; i < harness.clips.size(); ++i) {
+    const Clip& clip = harness.clips[i];
+    if (clip.attached && clip.cable == cable && ridesOn(scene, i, part)) clips.push_back(i);
+  }
+  return clips;
+}
+
 std::vector<SkippedStretch> stretchesNearClips(const Scene& scene, const Harness& harness,
                                                const Equilibrium& equilibrium, std::size_t cable,
                                                const std::string& component, double near) {
   std::vector<SkippedStretch> stretches;
   if (!(near > 0.0)) return stretches;
-  const Component& part = scene.components[componentIndex(scene, component)];
-  for (std::size_t i = 0; i < harness.clips.size(); ++i) {
-    const Clip& clip = harness.clips[i];
-    if (!clip.attached || clip.cable != cable || !ridesOn(scene, i, part)) continue;
-    const double held = equilibrium.clip_reactions[i].arc_length;
+  for (const std::size_t clip : clipsBetween(scene, harness, cable, component)) {
+    const double held = equilibrium.clip_reactions[clip].arc_length;
     stretches.push_back({held - near, held + near});
   }
   return stretches;

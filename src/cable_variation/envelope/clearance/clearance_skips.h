@@ -19,6 +19,10 @@ double skippedNearClips(const Scene& scene, const ClearanceOptions& options, std
 double skippedNearJoints(const Scene& scene, const ClearanceOptions& options, std::size_t cable,
                          std::size_t other, double radii);
 
+/// Clips that are attached to a cable and ride on a component: near them it does not count against it.
+std::vector<std::size_t> clipsBetween(const Scene& scene, const Harness& harness, std::size_t cable,
+                                      const std::string& component);
+
 /// The stretches within `near` [m] of where clips on a component hold the cable.
 std::vector<SkippedStretch> stretchesNearClips(const Scene& scene, const Harness& harness,
                                                const Equilibrium& equilibrium, std::size_t cable,

@@ -23,6 +23,7 @@ using Eigen::Vector3d;
 using Spot = ClearanceSpot;
 
 constexpr std::size_t kSamplesTried = 4;  // of the envelope near a place, solved again
+constexpr double kSameWay = 1e-9;         // by rounding [m]
 
 // By component: what moves it relative to what it rides on; the component itself or one further down.
 // "world": nothing.
@@ -113,19 +114,27 @@ std::optional<Spot> closestPieces(const EnvelopeFrame& frame, std::size_t cable,
 
 SpotFinder::SpotFinder(const Scene& scene, const Envelope& envelope, const EnvelopeOptions& options,
                        const ComponentParts& parts, SampleShapes& shapes,
-                       const ClearanceOptions& clearance_options)
+                       const ClearanceOptions& clearance_options, const ClipOffsets* offsets)
     : scene_(scene),
       envelope_(envelope),
       parts_(parts),
       options_(clearance_options),
       anchors_(anchors(scene, options)),
-      start_(shapes.sample(shapes.designSample(0))) {
+      start_(shapes.sample(shapes.designSample(0))),
+      offsets_(offsets) {
   requireConverged(start_->equilibrium, "clearances: the design has no equilibrium");
   for (const auto& length : {options_.skip_near_clips, options_.skip_near_joints}) {
     if (length && !(std::isfinite(*length) && *length >= 0.0)) {
       throw std::invalid_argument("clearances: skipped near clips or joints " + std::to_string(*length) +
                                   " m, expected a finite length of at least 0");
     }
+  }
+  bool any_part = false;
+  for (std::size_t i = 0; i < scene.components.size(); ++i) any_part = any_part || parts.find(i) != nullptr;
+  if (offsets_ == nullptr && any_part) {
+    const SampleSpace space(scene, options);
+    own_offsets_.emplace(space, space.designAt(options.from), start_->equilibrium);
+    offsets_ = &*own_offsets_;
   }
 }
 
@@ -155,10 +164,13 @@ const EnvelopeFrame* SpotFinder::frameOf(const std::string& name) const {
   return nullptr;
 }
 
-// Around the clips of the cable on the component.
-std::vector<SkippedStretch> SpotFinder::skipped(const SolvedSample& at, std::size_t cable,
-                                                const std::string& component, double near) const {
-  return stretchesNearClips(scene_, at.harness, at.equilibrium, cable, component, near);
+// Whether a part of the piece is ever further than `near` from the clips.
+bool SpotFinder::counts(const EnvelopePiece& piece, const std::vector<std::size_t>& clips,
+                        double near) const {
+  return std::none_of(clips.begin(), clips.end(), [&](std::size_t clip) {
+    return std::max(offsets_->largest(clip, piece.start), offsets_->largest(clip, piece.end)) <=
+           near + kSameWay;
+  });
 }
 
 std::optional<Spot> SpotFinder::toComponent(std::size_t cable, std::size_t component) const {
@@ -170,15 +182,11 @@ std::optional<Spot> SpotFinder::toComponent(std::size_t cable, std::size_t compo
                                 "', which the envelope is not seen from");
   }
   const double near = skippedNearClips(scene_, options_, cable, component);
-  const std::vector<SkippedStretch> stretches = skipped(*start_, cable, name, near);
+  const std::vector<std::size_t> clips = clipsBetween(scene_, start_->harness, cable, name);
   std::vector<const RoundedHull*> bodies;
   std::vector<const EnvelopePiece*> pieces;
   for (const EnvelopePiece& piece : frame->pieces) {
-    if (piece.cable != cable || std::any_of(stretches.begin(), stretches.end(), [&](const auto& stretch) {
-          return stretch.start <= piece.start && piece.end <= stretch.end;
-        })) {
-      continue;
-    }
+    if (piece.cable != cable || !counts(piece, clips, near)) continue;
     bodies.push_back(&piece.body);
     pieces.push_back(&piece);
   }
@@ -201,7 +209,9 @@ std::optional<Spot> SpotFinder::toComponent(std::size_t cable, std::size_t compo
   addSamplesNear(*spot.pieces[0], pair->on_body, spot.samples);
   spot.exact = [this, cable, name, near, &part](const SolvedSample& at) {
     const Centreline line = centrelineOf(at.harness.cables[cable], at.equilibrium.shapes[cable]);
-    return cable_variation::distance(line, part, at.components.at(name), skipped(at, cable, name, near));
+    return cable_variation::distance(
+        line, part, at.components.at(name),
+        stretchesNearClips(scene_, at.harness, at.equilibrium, cable, name, near));
   };
   return spot;
 }

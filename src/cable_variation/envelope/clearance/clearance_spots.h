@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <cable_variation/envelope/clearance/clearance_samples.h>
+#include <cable_variation/envelope/clearance/clip_offsets.h>
 
 namespace cable_variation {
 
@@ -23,16 +24,17 @@ struct ClearanceSpot {
 class SpotFinder {
  public:
   /// Throws std::invalid_argument as clearances().
+  /// @param offsets of all harnesses that the envelope holds; null: what the tolerances say of them
   SpotFinder(const Scene& scene, const Envelope& envelope, const EnvelopeOptions& options,
-             const ComponentParts& parts, SampleShapes& shapes, const ClearanceOptions& clearance_options);
+             const ComponentParts& parts, SampleShapes& shapes, const ClearanceOptions& clearance_options,
+             const ClipOffsets* offsets = nullptr);
 
   /// To components by cable, then between cables; their functions refer to the finder.
   std::vector<ClearanceSpot> find() const;
 
  private:
   const EnvelopeFrame* frameOf(const std::string& name) const;
-  std::vector<SkippedStretch> skipped(const SolvedSample& at, std::size_t cable, const std::string& component,
-                                      double near) const;
+  bool counts(const EnvelopePiece& piece, const std::vector<std::size_t>& clips, double near) const;
   std::optional<ClearanceSpot> toComponent(std::size_t cable, std::size_t component) const;
   std::optional<ClearanceSpot> toCable(std::size_t cable, std::size_t other) const;
 
@@ -42,6 +44,8 @@ class SpotFinder {
   const ClearanceOptions& options_;
   std::vector<std::string> anchors_;           // per component, see clearanceFrames()
   std::shared_ptr<const SolvedSample> start_;  // the design at the start
+  std::optional<ClipOffsets> own_offsets_;
+  const ClipOffsets* offsets_;
 };
 
 }  // namespace cable_variation

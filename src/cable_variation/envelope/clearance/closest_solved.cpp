@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include <cable_variation/envelope/clearance/clearance_skips.h>
+#include <cable_variation/envelope/clearance/clip_offsets.h>
 #include <cable_variation/equilibrium/require_converged.h>
 #include <cable_variation/geometry/mesh/box.h>
 #include <cable_variation/geometry/tube_distance/part_vicinity.h>
@@ -23,6 +24,16 @@ namespace {
 // Triangles further from the design's cable than it keeps clear of the part, and this, are hardly ever needed
 // [m].
 constexpr double kReach = 0.03;
+
+// Shares of what is skipped near a clip at which pieces end. Where a cable slides it is not known beforehand
+// how much of what is skipped in the design stays so: of these the largest that does.
+const std::vector<double> kHeld{1.0}, kSliding{1.0, 63.0 / 64, 31.0 / 32, 15.0 / 16, 7.0 / 8, 3.0 / 4};
+
+bool slidesSomewhere(const Harness& harness, std::size_t cable) {
+  return std::any_of(harness.clips.begin(), harness.clips.end(), [&](const Clip& clip) {
+    return clip.attached && clip.cable == cable && clip.constraint.slides;
+  });
+}
 
 Box boxOf(const Centreline& line) {
   Box box;
@@ -80,6 +91,8 @@ struct ClosestSolved::Impl {
   EnvelopeOptions options;
   SampleSpace space;
   ComponentParts parts;
+  std::optional<ClipOffsets> offsets;
+  std::vector<MaterialCut> cuts;
   std::deque<Best> all;
   std::mutex mutex;
   std::atomic<std::size_t> taken{0};
@@ -93,6 +106,7 @@ ClosestSolved::ClosestSolved(const Scene& scene, const EnvelopeOptions& options,
   const Harness harness = impl_->space.harness(start);
   const Equilibrium equilibrium = following.update(harness);
   requireConverged(equilibrium, "clearances: the design has no equilibrium");
+  impl_->offsets.emplace(impl_->space, start, equilibrium);
   const ComponentPoses components = impl_->space.components(start);
   const std::vector<std::size_t> cables = allOrChosen(options.cables, scene.harness.cables.size(), "cable");
   for (const std::size_t cable : cables) {
@@ -104,6 +118,12 @@ ClosestSolved::ClosestSolved(const Scene& scene, const EnvelopeOptions& options,
       best.cable = cable;
       best.component = i;
       best.near = skippedNearClips(scene, clearance_options, cable, i);
+      for (const std::size_t clip : clipsBetween(scene, harness, cable, scene.components[i].name)) {
+        for (const double share : slidesSomewhere(harness, cable) ? kSliding : kHeld) {
+          for (const double place : impl_->offsets->placesWithin(clip, share * best.near))
+            impl_->cuts.push_back({cable, place});
+        }
+      }
       const Pose& pose = components.at(scene.components[i].name);
       const auto pair = distance(line, *part, pose);
       const double clear = pair ? std::max(0.0, pair->distance) : 0.0;
@@ -126,6 +146,7 @@ ClosestSolved::~ClosestSolved() = default;
 
 void ClosestSolved::take(const SamplePlace& place, const Harness& harness, const Equilibrium& equilibrium) {
   ++impl_->taken;
+  impl_->offsets->add(harness, equilibrium);
   std::vector<Centreline> lines(harness.cables.size());
   std::vector<Box> boxes(harness.cables.size());
   for (std::size_t cable = 0; cable < lines.size(); ++cable) {
@@ -150,6 +171,10 @@ SolvedWitness ClosestSolved::witness() {
     take(place, harness, equilibrium);
   };
 }
+
+const std::vector<MaterialCut>& ClosestSolved::cuts() const { return impl_->cuts; }
+
+const ClipOffsets& ClosestSolved::offsets() const { return *impl_->offsets; }
 
 std::size_t ClosestSolved::taken() const { return impl_->taken; }
 

@@ -163,7 +163,8 @@ std::vector<EnvelopeClearance> clearances(const Scene& scene, const Envelope& en
     all.prepareAll(scene, parts);
     SampleShapes shapes(envelope, solve);
     const ToleranceSpace tolerances(scene, envelope.variables);
-    const SpotFinder finder(scene, envelope, options, all, shapes, clearance_options);
+    const SpotFinder finder(scene, envelope, options, all, shapes, clearance_options,
+                            closest != nullptr ? &closest->offsets() : nullptr);
     std::vector<ClearanceSpot> spots = finder.find();
     std::set<std::size_t> needed;
     for (const ClearanceSpot& spot : spots) needed.insert(spot.samples.begin(), spot.samples.end());

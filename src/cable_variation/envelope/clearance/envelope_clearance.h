@@ -77,7 +77,8 @@ using SampleSolver = std::function<SolvedSample(const EnvelopeSample&)>;
 
 /// Of each cable of the envelope to each component that has a mesh, then of each two cables; left out is
 /// what wholly lies near clips or joints. A piece of the envelope counts as a whole if a part of it is
-/// further from them than is skipped. Between cables, harnesses that can be are measured, see Kind;
+/// further from them than is skipped, in any of the harnesses solved; with ClosestSolved::cuts() the pieces
+/// end where what is skipped ends. Between cables, harnesses that can be are measured, see Kind;
 /// sections near joints are left out to the millimetre, by the way through the joint.
 /// @param options as the envelope was made with @param parts prepared before; the rest is prepared
 /// @param solver the design's shape to follow
