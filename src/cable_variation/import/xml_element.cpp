@@ -159,6 +159,7 @@ std::vector<double> XmlElement::numbers(const std::string& name, std::size_t cou
     return {};
   }
   std::vector<double> values;
+  values.reserve(count);
   for (const XmlElement& value : found) values.push_back(value.number());
   return values;
 }
