@@ -31,6 +31,12 @@ std::vector<std::string> linesOf(const std::string& text) {
 
 using Row = std::vector<std::string>;
 
+/// Whether it is more than a figure with its unit: some words.
+bool isSentence(const std::string& text) {
+  const auto letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  return std::count(text.begin(), text.end(), ' ') > 1 && std::any_of(text.begin(), text.end(), letter);
+}
+
 /// The headings, a row for each line of the tallest.
 std::vector<Row> headingsOf(const ReportTable& table) {
   std::vector<Row> rows;
@@ -56,12 +62,16 @@ std::string tableText(const ReportTable& table) {
     widths.resize(std::max(widths.size(), row.size()), 0);
     for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], widthOf(row[i]));
   }
+  std::vector<bool> left(widths.size(), false);
+  for (const std::vector<ReportCell>& cells : table.rows) {
+    for (std::size_t i = 0; i < cells.size(); ++i) left[i] = left[i] || i == 0 || isSentence(cells[i].text);
+  }
   std::string text = table.caption.empty() ? "" : wrapped(table.caption);
   for (const Row& row : rows) {
     std::string line;
     for (std::size_t i = 0; i < row.size(); ++i) {
       const std::string blanks(widths[i] - widthOf(row[i]), ' ');
-      line += std::string(kGap, ' ') + (i == 0 ? row[i] + blanks : blanks + row[i]);
+      line += std::string(kGap, ' ') + (left[i] ? row[i] + blanks : blanks + row[i]);
     }
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + "\n";

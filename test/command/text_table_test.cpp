@@ -20,6 +20,15 @@ TEST(TextTable, ColumnsAreAsWideAsTheyNeedToBe) {
             "  ä        −1.5\n");
 }
 
+TEST(TextTable, SentencesAreFlushLeft) {
+  const cable_variation::ReportTable table{
+      "", {"figure", "what"}, {{plain("a"), plain("within the mesh")}, {plain("b"), plain("at s")}}};
+  EXPECT_EQ(tableText(table),
+            "  figure  what\n"
+            "  a       within the mesh\n"
+            "  b       at s\n");
+}
+
 TEST(TextTable, LongTextsAreBrokenAtBlanks) {
   const std::string word(60, 'x');
   EXPECT_EQ(wrapped(word + " " + word), word + "\n  " + word + "\n");
