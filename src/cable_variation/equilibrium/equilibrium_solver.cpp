@@ -47,8 +47,16 @@ struct EquilibriumSolver::Impl {
   std::unique_ptr<Branch> branch;  // of the last converged call
 };
 
+// What contact does not know yet.
+void requireKnownContact(const Harness& harness) {
+  const bool moments = std::any_of(harness.loads.begin(), harness.loads.end(),
+                                   [](const PointLoad& load) { return !load.moment.isZero(0.0); });
+  if (moments) requireNoContact(harness, "dead moments");
+}
+
 Equilibrium EquilibriumSolver::Impl::solve(const Harness& harness) {
   const auto start = Clock::now();
+  requireKnownContact(harness);
   Equilibrium result;
   branch = lowestShape(harness, options, result);
   if (branch) branch->finish(result);
@@ -59,6 +67,7 @@ Equilibrium EquilibriumSolver::Impl::solve(const Harness& harness) {
 
 Equilibrium EquilibriumSolver::Impl::update(const Harness& harness) {
   const auto start = Clock::now();
+  requireKnownContact(harness);
   if (!branch) return solve(harness);
   const Problem& problem = branch->problem();
   const Topology topology = makeTopology(harness);
@@ -77,6 +86,7 @@ Equilibrium EquilibriumSolver::Impl::update(const Harness& harness) {
 Equilibrium EquilibriumSolver::Impl::solveFrom(const Harness& harness,
                                                const std::vector<CableShape>& shapes) {
   const auto start = Clock::now();
+  requireKnownContact(harness);
   Equilibrium result;
   branch = shapeFrom(harness, shapes, options, result);
   if (branch) branch->finish(result);
@@ -90,6 +100,7 @@ LinearResponse EquilibriumSolver::Impl::linearise() {
   // The error of the derivatives is the shift over the softest motion's share of the bending stiffness.
   constexpr double kSmallestShift = 1e-12;
   if (!branch || branch->unstable()) throw std::logic_error("there is no equilibrium to differentiate");
+  requireNoContact(branch->problem().harness, "derivatives of an equilibrium");
   Problem& problem = branch->problem();
   for (double shift : {kSmallestShift, neutralShift(*problem.system)}) {
     problem.system->evaluate(problem.configuration, RodSystem::Hessian::exact);

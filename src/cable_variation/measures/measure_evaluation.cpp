@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <stdexcept>
 
@@ -64,6 +65,34 @@ struct MeasureEvaluator::Impl {
   }
 };
 
+namespace {
+
+// Between a shape's points, section forces are known by the balance of what is spread along the cable; what
+// parts press with is not yet in it.
+bool knowsContact(const Harness& harness, const Measure& measure) {
+  switch (measure.type) {
+    case Measure::Type::strain:
+    case Measure::Type::stress:
+    case Measure::Type::section_force:
+    case Measure::Type::section_moment:
+    case Measure::Type::twist:
+      return std::none_of(harness.contacts.begin(), harness.contacts.end(), [&](const PartContact& contact) {
+        return std::find(measure.cables.begin(), measure.cables.end(), contact.cable) != measure.cables.end();
+      });
+    default:
+      return true;
+  }
+}
+
+MeasureValue unknownInContact() {
+  MeasureValue none;
+  none.value = std::numeric_limits<double>::quiet_NaN();
+  none.note = "contact is not yet known to measures of section forces, moments, strains and stresses";
+  return none;
+}
+
+}  // namespace
+
 MeasureEvaluator::MeasureEvaluator(const Scene& scene, const SolvedScene& nominal)
     : impl_(std::make_unique<Impl>(scene, nominal, ComponentParts())) {}
 MeasureEvaluator::~MeasureEvaluator() = default;
@@ -103,7 +132,9 @@ std::vector<MeasureValue> MeasureEvaluator::evaluate(const SolvedScene& at,
   values.reserve(measures.size());
   for (std::size_t i = 0; i < measures.size(); ++i) {
     const MeasureValue* known = near != nullptr && i < near->size() ? &(*near)[i] : nullptr;
-    values.push_back(impl_->value(context, measures[i], known));
+    values.push_back(knowsContact(at.harness, impl_->measure(measures[i]))
+                         ? impl_->value(context, measures[i], known)
+                         : unknownInContact());
   }
   return values;
 }

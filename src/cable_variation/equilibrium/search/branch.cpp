@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <utility>
 
+#include <cable_variation/equilibrium/discretisation/contact_result.h>
 #include <cable_variation/equilibrium/discretisation/equilibrium_result.h>
 #include <cable_variation/equilibrium/search/smallest_eigenvalue.h>
 #include <cable_variation/equilibrium/search/start_search.h>
 #include <cable_variation/math/so3.h>
+#include <cable_variation/util/quantity.h>
 
 namespace cable_variation {
 namespace {
@@ -28,6 +31,12 @@ Harness between(const Harness& from, const Harness& to, double t) {
     pose.position = (1.0 - t) * start.position + t * pose.position;
     pose.orientation = start.orientation.slerp(t, pose.orientation);
   }
+  for (std::size_t i = 0; i < to.contacts.size(); ++i) {
+    Pose& pose = harness.contacts[i].pose;
+    const Pose& start = from.contacts[i].pose;
+    pose.position = (1.0 - t) * start.position + t * pose.position;
+    pose.orientation = start.orientation.slerp(t, pose.orientation);
+  }
   return harness;
 }
 
@@ -44,6 +53,25 @@ std::size_t elementsOf(const Grid& grid) {
   return count;
 }
 
+// Gaps as good as rigid while it lives.
+class StiffContact {
+ public:
+  StiffContact(ContactSystem& contact, const Configuration& at) : contact_(contact), at_(at) {
+    contact_.stiffen(kStiffer);
+  }
+  ~StiffContact() {
+    contact_.evaluate(at_);
+    contact_.stiffen(1.0 / kStiffer);
+  }
+  StiffContact(const StiffContact&) = delete;
+  StiffContact& operator=(const StiffContact&) = delete;
+
+ private:
+  static constexpr double kStiffer = 1e3;
+  ContactSystem& contact_;
+  const Configuration& at_;
+};
+
 int piecesOf(double turn) { return std::max(1, static_cast<int>(std::ceil(turn / kLargestPiece))); }
 
 }  // namespace
@@ -59,12 +87,54 @@ Branch::Branch(const Branch& other) = default;
 // while stretch is softened.
 bool Branch::descend(bool settle, StartStress stress, Equilibrium& result, int most_iterations) {
   const int iterations = std::min(options_.max_iterations, most_iterations);
+  if (problem_.system->contact()) return descendInContact(settle, stress, iterations, result);
   const Minimum minimum = minimise(*problem_.system, problem_.configuration,
                                    {iterations, settle, stress, false, options_.descent});
   result.iterations += minimum.iterations;
   result.residual = minimum.residual;
   if (settle) unstable_ = !minimum.stable();
   return settle ? minimum.stationary() : minimum.stable();
+}
+
+// Descents with the forces of contact that are known, which then become those of the last; until no gap is
+// closed. Where the next one does not get down, about a sharp edge, one that was nearly there will do.
+bool Branch::descendInContact(bool settle, StartStress stress, int iterations, Equilibrium& result) {
+  constexpr int kRounds = 60;
+  constexpr int kPatience = 60;  // Newton steps, once one was nearly there
+  constexpr double kNearly = 0.5 * kTouching;
+  RodSystem& system = *problem_.system;
+  ContactSystem& contact = *system.contact();
+  if (contact.holds()) contact.soften(1.0);
+  std::optional<std::pair<Configuration, ContactSystem>> nearly;
+  for (int round = 0; round < kRounds; ++round) {
+    const int most = nearly ? std::min(iterations, kPatience) : iterations;
+    const Minimum minimum =
+        minimise(system, problem_.configuration, {most, settle, stress, false, options_.descent});
+    result.iterations += minimum.iterations;
+    const bool found = settle ? minimum.stationary() : minimum.stable();
+    if (found) {
+      result.residual = minimum.residual;
+      if (settle) unstable_ = !minimum.stable();
+      const bool closed = contact.findMinima(problem_.configuration);
+      if (!closed && contact.worstGap() <= kGapTolerance) return true;
+      if (contact.worstGap() <= kNearly) nearly.emplace(problem_.configuration, contact);
+    } else if (nearly) {
+      problem_.configuration = nearly->first;
+      contact.take(nearly->second);
+      system.evaluate(problem_.configuration, RodSystem::Hessian::exact);
+      return system.factorise(neutralShift(system), system.bendingMetric()) == 0;
+    } else {
+      result.residual = minimum.residual;
+      return false;
+    }
+    contact.keepForces();
+    contact.soften(1.0);
+    system.holdStress();
+    stress = StartStress::held;
+  }
+  result.message = "the forces of contact did not come to rest: a gap is still closed by " +
+                   shortNumber(1e3 * contact.worstGap()) + " mm";
+  return false;
 }
 
 void Branch::dropMoments() { problem_.harness = withMoments(problem_.harness, 0.0); }
@@ -140,6 +210,7 @@ Branch::OnGrid Branch::regrid(const Grid& grid, const std::vector<CableShape>& s
   before.system->holdStress();
   problem_.setGrid(grid);
   problem_.system->takeStress(*before.system);
+  problem_.system->takeContacts(*before.system);
   problem_.configuration = onGrid(problem_.topology, before.configuration, shapes, problem_.system->grid());
   problem_.system->soften(softened_, problem_.configuration);
   problem_.coarse->soften(softened_, problem_.configuration);
@@ -152,6 +223,7 @@ Branch::OnGrid Branch::regrid(const Grid& grid, const std::vector<CableShape>& s
 void Branch::returnToGrid() {
   constexpr int kLongest = 64;         // that the finer grid is kept before the next try, in harnesses
   constexpr double kSameShape = 10.0;  // what the shape may move by, of the accuracy
+  if (problem_.system->contact()) return;  // where it touches needs a fine grid all along
   const Grid& grid = problem_.system->grid();
   if (first_grid_.empty()) first_grid_ = grid;
   if (elementsOf(grid) <= elementsOf(first_grid_)) {
@@ -207,6 +279,16 @@ std::vector<std::vector<bool>> Branch::pairsThatMatter(const DiscretisationError
   return marked;
 }
 
+// Whether the true tubes enter no part that they have contact with; else the place is watched from now on.
+bool Branch::isClear(const Equilibrium& result) {
+  if (!problem_.system->contact()) return true;
+  ContactSystem& contact = *problem_.system->contact();
+  const ExactGap exact = exactGap(problem_.harness, contact, problem_.configuration, result.shapes);
+  if (exact.gap >= -kTouching) return true;
+  contact.watch(problem_.harness.contacts[exact.contact].cable, exact.arc_length, problem_.configuration);
+  return false;
+}
+
 bool Branch::adaptGrid(Equilibrium& result) { return adaptGrid(options_.accuracy, true, result); }
 
 bool Branch::adaptGrid(double accuracy, bool forces, Equilibrium& result) {
@@ -223,6 +305,7 @@ bool Branch::adaptGrid(double accuracy, bool forces, Equilibrium& result) {
         describeShapes(problem_.harness, problem_.topology, *problem_.system, problem_.configuration);
     const Configuration on_coarse =
         onGrid(problem_.topology, problem_.configuration, result.shapes, problem_.coarse->grid());
+    problem_.coarse->freezeContacts(*problem_.system);
     const DiscretisationError error =
         estimateDiscretisation(*problem_.system, *problem_.coarse, on_coarse, !unstable_);
     result.discretisation_error = error.centreline;
@@ -232,7 +315,8 @@ bool Branch::adaptGrid(double accuracy, bool forces, Equilibrium& result) {
       best = excess;
       best_round = round;
     }
-    if (error.centreline <= accuracy) {
+    const bool clear = isClear(result);
+    if (error.centreline <= accuracy && clear) {
       const bool rounding = excess < kResolved && round - best_round >= kPatience;
       if (!forces || unstable_ || excess <= 1.0 || rounding || round == most_rounds) return true;
     } else if (round >= most_rounds) {
@@ -240,7 +324,7 @@ bool Branch::adaptGrid(double accuracy, bool forces, Equilibrium& result) {
     }
     before = regrid(refine(problem_.system->grid(), pairsThatMatter(error, forces)), result.shapes);
     if (descend(unstable_ || !problem_.system->conservative(), StartStress::held, result)) continue;
-    if (!(error.centreline <= accuracy)) break;
+    if (!(error.centreline <= accuracy) || !clear) break;
     restoreGrid(std::move(before));  // leaves it as good as it was
     problem_.system->evaluate(problem_.configuration, RodSystem::Hessian::none);
     return true;
@@ -270,6 +354,18 @@ bool Branch::overstretched(Equilibrium& result) const {
   return false;
 }
 
+// On the grid at hand: that of a coarser one would be with other places touching.
+void Branch::findEigenvalueInContact(Equilibrium& result) {
+  RodSystem& system = *problem_.system;
+  {
+    const StiffContact stiff(*system.contact(), problem_.configuration);
+    system.evaluate(problem_.configuration, RodSystem::Hessian::exact);
+    result.smallest_eigenvalue = smallestEigenvalue(system, problem_.configuration);
+  }
+  if (!unstable_) result.smallest_eigenvalue = std::max(result.smallest_eigenvalue, 0.0);
+  system.evaluate(problem_.configuration, RodSystem::Hessian::none);
+}
+
 // A shape that is right on a grid which its softest motion is too fine for, as a straight twisted one is,
 // gets its grid refined for that.
 void Branch::findEigenvalue(Equilibrium& result) {
@@ -278,6 +374,10 @@ void Branch::findEigenvalue(Equilibrium& result) {
   for (int round = 0;; ++round) {
     RodSystem& system = *problem_.system;
     RodSystem& coarse = *problem_.coarse;
+    if (system.contact()) {
+      findEigenvalueInContact(result);
+      return;
+    }
     system.evaluate(problem_.configuration, RodSystem::Hessian::exact);
     result.smallest_eigenvalue = smallestEigenvalue(system, problem_.configuration);
     if (unstable_ || !system.conservative()) return;
@@ -335,11 +435,31 @@ void Branch::noteForces(Equilibrium& result) const {
   result.notes.push_back(text.str());
 }
 
+// Whether it is one: no tube enters a part.
+bool Branch::describeContact(Equilibrium& result) const {
+  const ContactSystem& contact = *problem_.system->contact();
+  result.contacts = describeContacts(problem_.harness, problem_.topology, contact, problem_.configuration);
+  const ExactGap exact = exactGap(problem_.harness, contact, problem_.configuration, result.shapes);
+  result.smallest_gap = exact.gap;
+  if (exact.gap >= -kTouching) return true;
+  const PartContact& of = problem_.harness.contacts[exact.contact];
+  std::ostringstream text;
+  text << "cable '" << problem_.harness.cables[of.cable].name << "' enters part '" << of.part << "' by "
+       << -1e3 * exact.gap << " mm at " << 1e3 * exact.arc_length
+       << " mm, where it should touch it; expected a start outside, via points that lead there";
+  result.status = EquilibriumStatus::not_converged;
+  result.message = text.str();
+  result.shapes.clear();
+  result.contacts.clear();
+  return false;
+}
+
 void Branch::finish(Equilibrium& result) {
   if (lostInRounding(result)) return;
   if (options_.eigenvalue || unstable_) findEigenvalue(result);
   describe(problem_.harness, problem_.topology, *problem_.system, problem_.configuration, result);
   if (overstretched(result)) return;
+  if (problem_.system->contact() && !describeContact(result)) return;
   result.status = EquilibriumStatus::converged;
   noteForces(result);
   if (unstable_) {
@@ -385,6 +505,39 @@ void Branch::carryTo(const Harness& harness, Topology topology) {
   problem_.coarse->harnessChanged();
 }
 
+// Pieces are halved where a cable would pass through a part.
+bool Branch::followInContact(const Harness& harness, const Topology& topology, int pieces,
+                             Equilibrium& result) {
+  constexpr double kShortest = 1.0 / 1024.0, kGrowth = 1.5;
+  const Harness origin = problem_.harness;
+  double gone = 0.0, piece = 1.0 / pieces;
+  while (gone < 1.0) {
+    const double next = gone + piece > 1.0 - 1e-9 ? 1.0 : gone + piece;
+    const Harness here = problem_.harness;
+    const Topology topology_here = problem_.topology;
+    const Configuration configuration = problem_.configuration;
+    const ContactSystem known = *problem_.system->contact();
+    carryTo(next < 1.0 ? between(origin, harness, next) : harness, topology);
+    if (problem_.system->contact()->isFree(here.contacts, configuration, problem_.configuration) &&
+        descend(false, StartStress::held, result)) {
+      gone = next;
+      piece *= kGrowth;
+      continue;
+    }
+    piece *= 0.5;
+    if (piece < kShortest) return false;
+    problem_.harness = here;
+    problem_.topology = topology_here;
+    problem_.configuration = configuration;
+    problem_.system->harnessChanged();
+    problem_.coarse->harnessChanged();
+    problem_.system->contact()->take(known);
+    problem_.system->evaluate(problem_.configuration, RodSystem::Hessian::exact);
+    problem_.system->factorise(neutralShift(*problem_.system), problem_.system->bendingMetric());
+  }
+  return true;
+}
+
 bool Branch::follow(const Harness& harness, const Topology& topology, Equilibrium& result) {
   returnToGrid();
   double turn = 0.0;
@@ -393,6 +546,8 @@ bool Branch::follow(const Harness& harness, const Topology& topology, Equilibriu
     turn = std::max(turn, from.angularDistance(harness.clips[i].pose.orientation));
   }
   const int pieces = piecesOf(turn);
+  if (problem_.system->contact())
+    return followInContact(harness, topology, pieces, result) && adaptGrid(result);
   if (pieces > 1) {
     const Harness origin = problem_.harness;
     for (int k = 1; k < pieces; ++k) {
