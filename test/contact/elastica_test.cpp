@@ -107,5 +107,29 @@ TEST(Elastica, EndPressedOnATable) {
   }
 }
 
+// A straight cantilever is lifted a little by the edge of a box that stands on it, which is between two of
+// its places wherever it is: force and place by the beam's closed form, one place that presses, and no other
+// that is closed.
+TEST(Elastica, EdgeLiftsACantilever) {
+  const double EI = 1e-2, length = 0.3, lift = 5e-4, side = 0.05;
+  for (const double at : {0.1501, 0.1734, 0.2009, 0.2222}) {
+    Harness harness = cantilever(uniformCable(length, stiffInStretch(EI, 0.0)), Vector3d::Zero());
+    harness.clips[0].pose = Pose();
+    const double edge = lift - kRadius;  // its height
+    harness.contacts = {contactWith("box", box(Vector3d(side, 0.1, side)),
+                                    poseAt(at, 0.0, edge - side / std::sqrt(2.0), {0.0, M_PI / 4.0, 0.0}))};
+    const Equilibrium result = EquilibriumSolver().solve(harness);
+    ASSERT_TRUE(result.converged()) << at << ": " << result.message;
+    expectTouches(result);
+    ASSERT_EQ(result.contacts.size(), 1U) << at;
+    EXPECT_LT(result.contacts[0].end - result.contacts[0].start, 2e-5) << at;
+    const double force = 3.0 * EI * lift / std::pow(at, 3);
+    EXPECT_NEAR(result.contacts[0].force.z(), force, 2e-3 * force) << at;
+    // the tube rolls by its radius times its slope there, towards the clamp
+    EXPECT_NEAR(result.contacts[0].start, at - kRadius * 1.5 * lift / at, 2e-5) << at;
+    EXPECT_LT((result.contacts[0].places[0].on_part - Vector3d(at, 0.0, edge)).norm(), 1e-6) << at;
+  }
+}
+
 }  // namespace
 }  // namespace cable_variation::test

@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include <cable_variation/geometry/tube_distance/distance.h>
 #include <cable_variation/geometry/tube_distance/surface_places.h>
@@ -11,14 +12,14 @@ namespace {
 
 class PartSurface : public ContactSurface {
  public:
-  explicit PartSurface(const TriangleMesh& mesh) : part_(mesh) {}
+  explicit PartSurface(std::shared_ptr<const DistancePart> part) : part_(std::move(part)) {}
 
   void placesNear(const Eigen::Vector3d& x, double within, std::vector<SurfacePlace>& places) const override {
-    cable_variation::placesNear(part_, x, within, places);
+    cable_variation::placesNear(*part_, x, within, places);
   }
 
   double distance(const Eigen::Vector3d& x, double within) const override {
-    return surfaceDistance(part_, x, within);
+    return surfaceDistance(*part_, x, within);
   }
 
   TubeGap smallestGap(const std::vector<TubePiece>& tube, const Pose& pose,
@@ -30,19 +31,23 @@ class PartSurface : public ContactSurface {
     std::vector<SkippedStretch> stretches;
     stretches.reserve(skipped.size());
     for (const CableStretch& stretch : skipped) stretches.push_back({stretch.start, stretch.end});
-    const std::optional<ClosestPair> closest = cable_variation::distance(line, part_, pose, stretches);
+    const std::optional<ClosestPair> closest = cable_variation::distance(line, *part_, pose, stretches);
     if (!closest) return {std::numeric_limits<double>::infinity(), 0.0};
     return {closest->distance, line.arcLength(closest->place)};
   }
 
  private:
-  DistancePart part_;
+  std::shared_ptr<const DistancePart> part_;
 };
 
 }  // namespace
 
 std::shared_ptr<const ContactSurface> makePartSurface(const TriangleMesh& mesh) {
-  return std::make_shared<PartSurface>(mesh);
+  return makePartSurface(std::make_shared<const DistancePart>(mesh));
+}
+
+std::shared_ptr<const ContactSurface> makePartSurface(std::shared_ptr<const DistancePart> part) {
+  return std::make_shared<PartSurface>(std::move(part));
 }
 
 }  // namespace cable_variation

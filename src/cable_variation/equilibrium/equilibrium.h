@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -99,6 +100,9 @@ struct Alternative {
   double largest_distance = 0.0;  ///< between its centrelines and the chosen ones [m]
 };
 
+/// The gap where there is nothing to touch [m].
+constexpr double kNoGap = std::numeric_limits<double>::infinity();
+
 struct Equilibrium {
   EquilibriumStatus status = EquilibriumStatus::not_converged;
   std::string message;             ///< for a person; names the cable or clip when status is not converged
@@ -108,13 +112,14 @@ struct Equilibrium {
   double residual = 0.0;  ///< largest out-of-balance force [N] (moments over the cable's radius of gyration)
   double discretisation_error = 0.0;  ///< estimate of the centreline's distance from the continuum [m]
   EnergyTerms energy;
-  double smallest_eigenvalue = 0.0;       ///< of the constrained Hessian [N/m], see EquilibriumSolver
+  double smallest_eigenvalue = 0.0;       ///< of the constrained Hessian [N/m], see EquilibriumSolver; not a
+                                          ///< number where a cable touches: it is not yet known there
   double solve_time = 0.0;                ///< [s]
   std::vector<CableShape> shapes;         ///< one per cable, in the harness's order
   std::vector<Reaction> clip_reactions;   ///< one per clip
   std::vector<Reaction> joint_reactions;  ///< one per joint
   std::vector<ContactInterval> contacts;  ///< by cable and arc length; none unless the harness has contact
-  double smallest_gap = 0.0;              ///< of the cables to parts that they have contact with, exact [m]
+  double smallest_gap = kNoGap;           ///< of the cables to parts that they have contact with, exact [m]
   std::vector<Alternative> alternatives;  ///< other stable equilibria, by energy
 
   bool converged() const { return status == EquilibriumStatus::converged; }

@@ -6,6 +6,7 @@
 
 #include <cable_variation/equilibrium/derivatives/eigenvalue_rate.h>
 #include <cable_variation/equilibrium/derivatives/equilibrium_rate.h>
+#include <cable_variation/equilibrium/discretisation/contact_result.h>
 #include <cable_variation/equilibrium/discretisation/equilibrium_result.h>
 #include <cable_variation/equilibrium/equilibrium.h>
 #include <cable_variation/equilibrium/search/branch.h>
@@ -54,10 +55,22 @@ void requireKnownContact(const Harness& harness) {
   if (moments) requireNoContact(harness, "dead moments");
 }
 
+// Whether contact can be anywhere outside the parts; else the result says why not.
+bool canBeOutside(const Harness& harness, Equilibrium& result) {
+  result.message = heldInside(harness);
+  if (result.message.empty()) return true;
+  result.status = EquilibriumStatus::impossible;
+  return false;
+}
+
 Equilibrium EquilibriumSolver::Impl::solve(const Harness& harness) {
   const auto start = Clock::now();
   requireKnownContact(harness);
   Equilibrium result;
+  if (!canBeOutside(harness, result)) {
+    branch.reset();
+    return result;
+  }
   branch = lowestShape(harness, options, result);
   if (branch) branch->finish(result);
   if (!result.converged()) branch.reset();
@@ -75,6 +88,10 @@ Equilibrium EquilibriumSolver::Impl::update(const Harness& harness) {
   // there is no energy to follow a shape by while dead moments grow or turn
   if (!problem.system->conservative() || !problem.system->conservative(harness)) return solve(harness);
   Equilibrium result;
+  if (!canBeOutside(harness, result)) {
+    branch.reset();
+    return result;
+  }
   branch->setOptions(options);
   if (!branch->follow(harness, topology, result)) return solve(harness);  // the branch ends here
   branch->finish(result);
@@ -88,6 +105,10 @@ Equilibrium EquilibriumSolver::Impl::solveFrom(const Harness& harness,
   const auto start = Clock::now();
   requireKnownContact(harness);
   Equilibrium result;
+  if (!canBeOutside(harness, result)) {
+    branch.reset();
+    return result;
+  }
   branch = shapeFrom(harness, shapes, options, result);
   if (branch) branch->finish(result);
   if (!result.converged()) branch.reset();

@@ -80,6 +80,21 @@ void validate(const Harness& harness, const PointLoad& load) {
   if (!load.moment.allFinite()) refuse(who, " has a moment that is not finite");
 }
 
+// Where a cable slides, the radius at a place of it would be an unknown, which contact does not know yet.
+void requireKnownRadius(const Harness& harness, const PartContact& contact) {
+  const Cable& cable = harness.cables[contact.cable];
+  const double radius = cable.sections.front().section.radius;
+  const bool varies = std::any_of(cable.sections.begin(), cable.sections.end(),
+                                  [&](const SectionAt& knot) { return knot.section.radius != radius; });
+  if (!varies) return;
+  for (const Clip& clip : harness.clips) {
+    if (clip.cable != contact.cable || !clip.constraint.slides) continue;
+    refuse("cable '", cable.name, "' slides through clip '", clip.name,
+           "', and its radius changes along it; contact with part '", contact.part,
+           "' expects the same radius all along, or a cable that does not slide");
+  }
+}
+
 void validate(const Harness& harness, const PartContact& contact) {
   const std::string who = "contact with part '" + contact.part + "'";
   const Cable& cable = cableOf(harness, contact.cable, who);
@@ -98,6 +113,7 @@ void validate(const Harness& harness, const PartContact& contact) {
     refuse("cable '", cable.name, "' has a radius of ", section.section.radius, " m and a stand-off of ",
            contact.stand_off, " m from part '", contact.part, "'; contact expects more than 0 together");
   }
+  requireKnownRadius(harness, contact);
 }
 
 // Two clips, or a clip and a joint's child, cannot hold one section.

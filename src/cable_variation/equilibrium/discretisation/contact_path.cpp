@@ -79,9 +79,44 @@ double ContactSystem::freeShare(std::size_t index, std::size_t contact, const Co
   return most;
 }
 
+std::array<double, 2> ContactSystem::energyAlong(const NodalField& motion) const {
+  std::array<double, 2> energy{};
+  for (const Pressing& at : pressing_) {
+    double opened = 0.0;
+    for (std::size_t a = 0; a < kNodes; ++a) {
+      const auto node = static_cast<Eigen::Index>(3 * at.element + a);
+      opened += at.weight[a] * at.direction.dot(motion.spans[at.span].col(node).head<3>());
+    }
+    energy[0] -= at.force * opened;
+    energy[1] += 0.5 * at.stiffness * opened * opened;
+  }
+  return energy;
+}
+
+// By the gaps of the last evaluation: none is closed by much, places are near each other, and the way is
+// short.
+bool ContactSystem::isShort(std::size_t index, const NodalField& motion) const {
+  constexpr double kShort = 0.1, kNear = 0.5;  // of a reach
+  const SpanPlaces& span = spans_[index];
+  double smallest = INFINITY;
+  for (const std::size_t c : span.contacts)
+    for (const Place& place : span.places) smallest = std::min(smallest, reach(c, place));
+  if (worst_gap_ > kShort * smallest) return false;
+  const auto& nodes = motion.spans[index];
+  if (kStretched * nodes.topRows<3>().colwise().norm().maxCoeff() > kShort * smallest) return false;
+  const Span& of = topology_.spans[index];
+  const double length = topology_.stations[of.right].arc_length - topology_.stations[of.left].arc_length;
+  for (std::size_t i = 1; i < span.places.size(); ++i) {
+    const double apart = kStretched * length * (span.places[i].share - span.places[i - 1].share);
+    if (apart > kNear * kStretched * smallest) return false;
+  }
+  return true;
+}
+
 double ContactSystem::freeShare(const Configuration& configuration, const NodalField& motion) const {
   double most = 1.0;
   for (std::size_t i = 0; i < spans_.size(); ++i) {
+    if (spans_[i].contacts.empty() || isShort(i, motion)) continue;
     for (const std::size_t c : spans_[i].contacts) {
       const Pose& pose = harness_.contacts[c].pose;
       const std::vector<Vector3d> from = inFrame(pose, configuration.spans[i].positions);

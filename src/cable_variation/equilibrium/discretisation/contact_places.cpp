@@ -49,7 +49,7 @@ void ContactSystem::insert(std::size_t index, Place place) {
   std::vector<Place>& places = spans_[index].places;
   const auto at = std::lower_bound(places.begin(), places.end(), place.share - kSame,
                                    [](const Place& other, double share) { return other.share < share; });
-  if (at != places.end() && at->share < place.share + kSame) {
+  if (at != places.end() && at->share < place.share + kSame && !at->moves && !place.moves) {
     at->held.insert(at->held.end(), place.held.begin(), place.held.end());
     return;
   }
@@ -64,6 +64,7 @@ void ContactSystem::take(const ContactSystem& other) {
       if (place.base && place.held.empty()) continue;
       Place here = makePlace(i, place.share, false);
       here.held = place.held;
+      here.moves = place.moves;
       insert(i, std::move(here));
     }
   }
@@ -130,8 +131,10 @@ bool ContactSystem::holds() const {
   });
 }
 
-void ContactSystem::keepForces() {
-  for (SpanPlaces& span : spans_) {
+void ContactSystem::keepForces(const Configuration& configuration) {
+  for (std::size_t i = 0; i < spans_.size(); ++i) {
+    letMove(i, configuration.spans[i]);
+    SpanPlaces& span = spans_[i];
     for (Place& place : span.places) {
       for (Held& held : place.held) held.known = held.now;
       place.held.erase(std::remove_if(place.held.begin(), place.held.end(),

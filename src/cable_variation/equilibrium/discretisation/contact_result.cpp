@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -30,8 +31,8 @@ std::vector<TubePiece> tubeOf(const Cable& cable, const CableShape& shape) {
 }  // namespace
 
 std::vector<ContactInterval> describeContacts(const Harness& harness, const Topology& topology,
-                                              const ContactSystem& system,
-                                              const Configuration& configuration) {
+                                              const ContactSystem& system, const Configuration& configuration,
+                                              double accuracy) {
   struct Touch {
     std::size_t cable, contact, span, place;
     ContactForce force;
@@ -41,7 +42,7 @@ std::vector<ContactInterval> describeContacts(const Harness& harness, const Topo
     if (a.cable != b.cable || a.contact != b.contact) return false;
     if (a.span != b.span) return false;
     for (std::size_t place = a.place + 1; place < b.place; ++place) {
-      if (!system.isClosed(a.contact, a.span, place)) return false;
+      if (!system.isClosed(a.contact, a.span, place, std::max(accuracy, kTouching))) return false;
     }
     return true;
   };
@@ -86,6 +87,36 @@ std::vector<ContactInterval> describeContacts(const Harness& harness, const Topo
                      return std::make_pair(a.cable, a.start) < std::make_pair(b.cable, b.start);
                    });
   return intervals;
+}
+
+std::string heldInside(const Harness& harness) {
+  if (harness.contacts.empty()) return {};
+  validate(harness);
+  const auto holds = [](const Clip& clip) {
+    return clip.attached &&
+           std::all_of(clip.constraint.translation.begin(), clip.constraint.translation.end(),
+                       [](const ClipFreedom& freedom) { return freedom.kind == ClipFreedom::Kind::locked; });
+  };
+  for (const PartContact& contact : harness.contacts) {
+    const Cable& cable = harness.cables[contact.cable];
+    const auto skipped = [&](double arc_length) {
+      return std::any_of(contact.own_clips.begin(), contact.own_clips.end(), [&](std::size_t clip) {
+        return std::abs(harness.clips[clip].arc_length - arc_length) < contact.skip_near_clips;
+      });
+    };
+    for (const Clip& clip : harness.clips) {
+      if (clip.cable != contact.cable || !holds(clip) || skipped(clip.arc_length)) continue;
+      const double reach = sectionAt(cable, clip.arc_length).radius + contact.stand_off;
+      const double distance = contact.surface->distance(contact.pose.inverse() * clip.pose.position, reach);
+      if (distance >= reach - kTouching) continue;
+      std::ostringstream text;
+      text << "clip '" << clip.name << "' holds cable '" << cable.name << "' with its centreline "
+           << 1e3 * distance << " mm from part '" << contact.part << "', which it has contact with; expected "
+           << 1e3 * reach << " mm or more, or skip_near_clips for what lies in its holder";
+      return text.str();
+    }
+  }
+  return {};
 }
 
 std::string passesThrough(const Harness& harness, std::size_t contact) {

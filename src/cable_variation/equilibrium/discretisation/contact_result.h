@@ -8,10 +8,15 @@
 
 namespace cable_variation {
 
-/// Where cables touch, from a system evaluated at `configuration`.
+/// Where cables touch, from a system evaluated at `configuration`, whose centrelines are known to `accuracy`
+/// [m]: what is no further from a part than that, between two places that press, touches.
 std::vector<ContactInterval> describeContacts(const Harness& harness, const Topology& topology,
-                                              const ContactSystem& system,
-                                              const Configuration& configuration);
+                                              const ContactSystem& system, const Configuration& configuration,
+                                              double accuracy);
+
+/// What makes contact impossible: a clip that holds its cable inside a part that it has contact with, where
+/// that counts. Empty: nothing. Throws std::invalid_argument (validate()).
+std::string heldInside(const Harness& harness);
 
 /// For a message: which cable passes through which part, and what may be done.
 std::string passesThrough(const Harness& harness, std::size_t contact);

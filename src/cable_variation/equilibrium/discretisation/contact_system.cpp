@@ -159,6 +159,7 @@ void ContactSystem::evaluate(const Configuration& configuration) {
   for (std::size_t i = 0; i < spans_.size(); ++i) {
     SpanPlaces& span = spans_[i];
     const double stiffness = softness_ * span.stiffness;
+    moveMinima(i, configuration.spans[i]);
     for (std::size_t k = 0; k < span.contacts.size(); ++k) {
       const std::size_t c = span.contacts[k];
       const PartContact& contact = harness_.contacts[c];
@@ -170,6 +171,7 @@ void ContactSystem::evaluate(const Configuration& configuration) {
         for (Held& held : place.held) {
           if (held.contact == c) held.now = 0.0;
         }
+        if (place.moves && place.held.front().contact != c) continue;
         if (!stretches.empty() && !counts(stretches, arcLength(i, place.share, configuration))) continue;
         const Vector3d x = into * positionAt(configuration.spans[i], place);
         const double reach = this->reach(c, place), near = (1.0 + kBand) * reach;
@@ -191,6 +193,7 @@ void ContactSystem::evaluate(const Configuration& configuration) {
               match = h;
             }
           }
+          if (place.moves && match == place.held.size()) continue;
           const double gap = on.distance - reach;
           place.gap[k] = std::min(place.gap[k], gap);
           const double known = match < place.held.size() ? place.held[match].known : 0.0;
@@ -219,6 +222,12 @@ void ContactSystem::evaluate(const Configuration& configuration) {
           pressing.gap = gap;
           pressing.force = pressing.bent = force;
           pressing.stiffness = stiffness;
+          if (place.sharpness > 0.0) {
+            const double width = span.grid[place.element + 1] - span.grid[place.element];
+            pressing.sharpness = place.sharpness / (width * width);
+            pressing.along = pressing.curvature * tangentAt(configuration.spans[i], place) / width;
+            setFollows(place, pressing);
+          }
           pressing_.push_back(pressing);
         }
       }
@@ -237,6 +246,7 @@ void ContactSystem::freeze(const ContactSystem& other) {
     const Place place = makePlace(pressing.span, pressing.share, false);
     pressing.element = place.element;
     pressing.weight = place.weight;
+    setFollows(place, pressing);
   }
 }
 
@@ -254,21 +264,12 @@ void ContactSystem::evaluateFrozen(const Configuration& configuration) {
   }
 }
 
-void ContactSystem::stiffen(double factor) {
-  softness_ *= factor;
-  for (SpanPlaces& span : spans_) {
-    for (Place& place : span.places) {
-      for (Held& held : place.held) {
-        if (held.now > 0.0) held.known = held.now + (held.known - held.now) * factor;
-      }
-    }
-  }
-}
-
-bool ContactSystem::isClosed(std::size_t contact, std::size_t span, std::size_t place) const {
+bool ContactSystem::isClosed(std::size_t contact, std::size_t span, std::size_t place, double within) const {
   const SpanPlaces& of = spans_[span];
   for (std::size_t k = 0; k < of.contacts.size(); ++k) {
-    if (of.contacts[k] == contact) return of.places[place].gap[k] <= kTouching;
+    if (of.contacts[k] != contact) continue;
+    const Place& at = of.places[place];
+    return (at.moves && at.held.front().contact != contact) || at.gap[k] <= within;
   }
   return false;
 }

@@ -54,26 +54,36 @@ class ContactSystem {
     double force = 0.0;                            ///< [N]
     double bent = 0.0;       ///< the force that the curvature is turned by: `force`, unless frozen [N]
     double stiffness = 0.0;  ///< [N/m]
+    /// Of a place that moves with a minimum of the gap: the gap's second derivative over the span's share
+    /// [m], else 0; and the curvature times the centreline's derivative over it.
+    double sharpness = 0.0;
+    Eigen::Vector3d along = Eigen::Vector3d::Zero();
+    /// Then the gap's second derivative by the nodes' positions is that at a held place less these times
+    /// themselves [m^-1/2]; zero otherwise.
+    std::array<Eigen::Vector3d, element::kNodes> follows{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
+                                                         Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   };
 
   /// Gaps and forces at a configuration.
   void evaluate(const Configuration& configuration);
   const std::vector<Pressing>& pressing() const { return pressing_; }
-  /// Whether a gap that does not press is closed all the same, within kTouching.
-  bool isClosed(std::size_t contact, std::size_t span, std::size_t place) const;
+  /// Whether a gap that does not press is closed all the same, `within` [m].
+  bool isClosed(std::size_t contact, std::size_t span, std::size_t place, double within) const;
   double energy() const { return energy_; }  ///< [J]
+  /// The part of energy() that gaps which press now add along a motion, to first and second order [J].
+  std::array<double, 2> energyAlong(const NodalField& motion) const;
   /// The largest amount by which a gap is closed, or one that presses is open, after evaluate() [m].
   double worstGap() const { return worst_gap_; }
 
   /// How stiff gaps are, over what brings the forces to rest fast: small for large steps.
   void soften(double share) { softness_ = share; }
-  /// The stiffness of gaps times `factor`, the forces as they are, after evaluate(): for what is asked of the
-  /// Hessian at rest, which should not feel that gaps give way.
-  void stiffen(double factor);
   /// No forces known, no places but the base.
   void forget();
-  /// After evaluate(): its forces become those known; places without any go, unless of the base.
-  void keepForces();
+  /// After evaluate() at `configuration`: its forces become those known; places without any go, unless of the
+  /// base. What presses where the gap has a sharp minimum, as about an edge, is from now on a place that
+  /// moves with it.
+  void keepForces(const Configuration& configuration);
+  void letMove(const Configuration& configuration);  ///< that alone, with the forces of the last evaluation
   /// Puts places in where gaps are smallest between others and closed. Returns whether there was one.
   bool findMinima(const Configuration& configuration);
   /// Whether any force is known.
@@ -109,7 +119,9 @@ class ContactSystem {
     double at = 0.0;     // of the element, 0 to 1
     double share = 0.0;  // of the span
     bool base = true;
-    bool fresh = true;  // not yet evaluated
+    bool fresh = true;       // not yet evaluated
+    bool moves = false;      // with a minimum of the gap to what it holds, one thing
+    double sharpness = 0.0;  // of a minimum it is at: second derivative of the gap over `at` [m], else 0
     std::array<double, element::kNodes> weight{}, slope{};
     double radius = 0.0;        // of the cable there [m]
     double radius_slope = 0.0;  // over `at` [m]
@@ -141,6 +153,14 @@ class ContactSystem {
   std::optional<Place> minimumBetween(std::size_t span, std::size_t contact, const SpanConfiguration& nodes,
                                       const Place& a, const Place& b) const;
   void insert(std::size_t span, Place place);
+  /// Moves a place that holds one thing to the minimum of the gap near by. False: it has none.
+  bool toMinimum(std::size_t span, const SpanConfiguration& nodes, Place& place) const;
+  bool isSharp(std::size_t span, const SpanConfiguration& nodes, const Place& place) const;
+  void moveMinima(std::size_t span, const SpanConfiguration& nodes);
+  void letMove(std::size_t span, const SpanConfiguration& nodes);
+  void setFollows(const Place& place, Pressing& pressing) const;
+  /// Whether a motion carries a span nowhere through a part, as it is too short for that.
+  bool isShort(std::size_t span, const NodalField& motion) const;
   /// From nodes of a span to others, both in the part's frame: the share that is free.
   double freeShare(std::size_t span, std::size_t contact, const Configuration& at,
                    const std::vector<Eigen::Vector3d>& from, const std::vector<Eigen::Vector3d>& to,

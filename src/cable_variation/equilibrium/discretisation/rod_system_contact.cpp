@@ -33,15 +33,17 @@ void RodSystem::addContact(const Configuration& configuration, bool hessian) {
     }
     if (!hessian) continue;
     Eigen::Matrix3d stiffness = at.stiffness * at.direction * at.direction.transpose();
-    if (at.gap > -kDeep) stiffness -= at.bent * at.curvature;
+    const double bent = at.gap > -kDeep ? at.bent : 0.0;
+    stiffness -= bent * at.curvature;
     for (std::size_t a = 0; a < kNodes; ++a) {
       for (std::size_t b = 0; b < kNodes; ++b) {
+        const Eigen::Matrix3d block =
+            at.weight[a] * at.weight[b] * stiffness + bent * at.follows[a] * at.follows[b].transpose();
         for (int i = 0; i < 3; ++i) {
           for (int j = 0; j < 3; ++j) {
             const int row = kFirstDof[a] + i, column = kFirstDof[b] + j;
             if (row < column) continue;
-            batch.factor.matrix[row * (row + 1) / 2 + column][place.lane] +=
-                at.weight[a] * at.weight[b] * stiffness(i, j);
+            batch.factor.matrix[row * (row + 1) / 2 + column][place.lane] += block(i, j);
           }
         }
       }

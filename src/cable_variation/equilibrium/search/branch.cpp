@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -53,24 +54,18 @@ std::size_t elementsOf(const Grid& grid) {
   return count;
 }
 
-// Gaps as good as rigid while it lives.
-class StiffContact {
- public:
-  StiffContact(ContactSystem& contact, const Configuration& at) : contact_(contact), at_(at) {
-    contact_.stiffen(kStiffer);
-  }
-  ~StiffContact() {
-    contact_.evaluate(at_);
-    contact_.stiffen(1.0 / kStiffer);
-  }
-  StiffContact(const StiffContact&) = delete;
-  StiffContact& operator=(const StiffContact&) = delete;
-
- private:
-  static constexpr double kStiffer = 1e3;
-  ContactSystem& contact_;
-  const Configuration& at_;
-};
+// Whether the true tube is away from where it is pressed: its curve between the sections solved is not the
+// element's.
+bool pressesFromAfar(const Problem& problem, const std::vector<CableShape>& shapes) {
+  const std::vector<ContactSystem::Pressing>& pressing = problem.system->contact()->pressing();
+  return std::any_of(pressing.begin(), pressing.end(), [&](const ContactSystem::Pressing& at) {
+    const Span& span = problem.topology.spans[at.span];
+    const double left = problem.configuration.stations[span.left].arc_length;
+    const double right = problem.configuration.stations[span.right].arc_length;
+    const Eigen::Vector3d x = shapes[span.cable].position(left + at.share * (right - left));
+    return at.gap + at.direction.dot(x - at.position) > kTouching;
+  });
+}
 
 int piecesOf(double turn) { return std::max(1, static_cast<int>(std::ceil(turn / kLargestPiece))); }
 
@@ -101,16 +96,20 @@ bool Branch::descend(bool settle, StartStress stress, Equilibrium& result, int m
 bool Branch::descendInContact(bool settle, StartStress stress, int iterations, Equilibrium& result) {
   constexpr int kRounds = 60;
   constexpr int kPatience = 60;  // Newton steps, once one was nearly there
+  constexpr int kTurn = 100;     // Newton steps, before what presses is looked at for edges to roll over
   constexpr double kNearly = 0.5 * kTouching;
   RodSystem& system = *problem_.system;
   ContactSystem& contact = *system.contact();
   if (contact.holds()) contact.soften(1.0);
+  contact.letMove(problem_.configuration);
   std::optional<std::pair<Configuration, ContactSystem>> nearly;
+  int left = iterations;
   for (int round = 0; round < kRounds; ++round) {
-    const int most = nearly ? std::min(iterations, kPatience) : iterations;
+    const int most = std::min(left, nearly ? kPatience : kTurn);
     const Minimum minimum =
         minimise(system, problem_.configuration, {most, settle, stress, false, options_.descent});
     result.iterations += minimum.iterations;
+    left -= minimum.iterations;
     const bool found = settle ? minimum.stationary() : minimum.stable();
     if (found) {
       result.residual = minimum.residual;
@@ -118,16 +117,22 @@ bool Branch::descendInContact(bool settle, StartStress stress, int iterations, E
       const bool closed = contact.findMinima(problem_.configuration);
       if (!closed && contact.worstGap() <= kGapTolerance) return true;
       if (contact.worstGap() <= kNearly) nearly.emplace(problem_.configuration, contact);
+      left = iterations;
     } else if (nearly) {
       problem_.configuration = nearly->first;
       contact.take(nearly->second);
       system.evaluate(problem_.configuration, RodSystem::Hessian::exact);
       return system.factorise(neutralShift(system), system.bendingMetric()) == 0;
+    } else if (minimum.end == DescentEnd::most_iterations && left > 0) {
+      contact.letMove(problem_.configuration);
+      system.holdStress();
+      stress = StartStress::held;
+      continue;
     } else {
       result.residual = minimum.residual;
       return false;
     }
-    contact.keepForces();
+    contact.keepForces(problem_.configuration);
     contact.soften(1.0);
     system.holdStress();
     stress = StartStress::held;
@@ -221,8 +226,8 @@ Branch::OnGrid Branch::regrid(const Grid& grid, const std::vector<CableShape>& s
 // for good, so that the grid that following began with is tried again. The shape at hand must be the same
 // there.
 void Branch::returnToGrid() {
-  constexpr int kLongest = 64;         // that the finer grid is kept before the next try, in harnesses
-  constexpr double kSameShape = 10.0;  // what the shape may move by, of the accuracy
+  constexpr int kLongest = 64;             // that the finer grid is kept before the next try, in harnesses
+  constexpr double kSameShape = 10.0;      // what the shape may move by, of the accuracy
   if (problem_.system->contact()) return;  // where it touches needs a fine grid all along
   const Grid& grid = problem_.system->grid();
   if (first_grid_.empty()) first_grid_ = grid;
@@ -279,12 +284,13 @@ std::vector<std::vector<bool>> Branch::pairsThatMatter(const DiscretisationError
   return marked;
 }
 
-// Whether the true tubes enter no part that they have contact with; else the place is watched from now on.
+// Whether the true tubes enter no part that they have contact with, or the place is watched from now on; and
+// are where parts press them.
 bool Branch::isClear(const Equilibrium& result) {
   if (!problem_.system->contact()) return true;
   ContactSystem& contact = *problem_.system->contact();
   const ExactGap exact = exactGap(problem_.harness, contact, problem_.configuration, result.shapes);
-  if (exact.gap >= -kTouching) return true;
+  if (exact.gap >= -kTouching) return !pressesFromAfar(problem_, result.shapes);
   contact.watch(problem_.harness.contacts[exact.contact].cable, exact.arc_length, problem_.configuration);
   return false;
 }
@@ -354,18 +360,6 @@ bool Branch::overstretched(Equilibrium& result) const {
   return false;
 }
 
-// On the grid at hand: that of a coarser one would be with other places touching.
-void Branch::findEigenvalueInContact(Equilibrium& result) {
-  RodSystem& system = *problem_.system;
-  {
-    const StiffContact stiff(*system.contact(), problem_.configuration);
-    system.evaluate(problem_.configuration, RodSystem::Hessian::exact);
-    result.smallest_eigenvalue = smallestEigenvalue(system, problem_.configuration);
-  }
-  if (!unstable_) result.smallest_eigenvalue = std::max(result.smallest_eigenvalue, 0.0);
-  system.evaluate(problem_.configuration, RodSystem::Hessian::none);
-}
-
 // A shape that is right on a grid which its softest motion is too fine for, as a straight twisted one is,
 // gets its grid refined for that.
 void Branch::findEigenvalue(Equilibrium& result) {
@@ -374,11 +368,13 @@ void Branch::findEigenvalue(Equilibrium& result) {
   for (int round = 0;; ++round) {
     RodSystem& system = *problem_.system;
     RodSystem& coarse = *problem_.coarse;
-    if (system.contact()) {
-      findEigenvalueInContact(result);
+    system.evaluate(problem_.configuration, RodSystem::Hessian::exact);
+    if (system.contact() && !system.contact()->pressing().empty()) {
+      // places that are held are not the gap's minima, which move along the cable: it would come out too
+      // small
+      result.smallest_eigenvalue = std::numeric_limits<double>::quiet_NaN();
       return;
     }
-    system.evaluate(problem_.configuration, RodSystem::Hessian::exact);
     result.smallest_eigenvalue = smallestEigenvalue(system, problem_.configuration);
     if (unstable_ || !system.conservative()) return;
     // it was judged stable: what is negative here is the rounding of a motion that costs no energy
@@ -438,7 +434,8 @@ void Branch::noteForces(Equilibrium& result) const {
 // Whether it is one: no tube enters a part.
 bool Branch::describeContact(Equilibrium& result) const {
   const ContactSystem& contact = *problem_.system->contact();
-  result.contacts = describeContacts(problem_.harness, problem_.topology, contact, problem_.configuration);
+  result.contacts = describeContacts(problem_.harness, problem_.topology, contact, problem_.configuration,
+                                     options_.accuracy);
   const ExactGap exact = exactGap(problem_.harness, contact, problem_.configuration, result.shapes);
   result.smallest_gap = exact.gap;
   if (exact.gap >= -kTouching) return true;
@@ -460,12 +457,14 @@ void Branch::finish(Equilibrium& result) {
   describe(problem_.harness, problem_.topology, *problem_.system, problem_.configuration, result);
   if (overstretched(result)) return;
   if (problem_.system->contact() && !describeContact(result)) return;
+  if (!result.contacts.empty()) result.smallest_eigenvalue = std::numeric_limits<double>::quiet_NaN();
   result.status = EquilibriumStatus::converged;
   noteForces(result);
   if (unstable_) {
     std::ostringstream text;
-    text << "the only equilibrium found is unstable: the smallest eigenvalue is "
-         << result.smallest_eigenvalue << " N/m";
+    text << "the only equilibrium found is unstable";
+    if (result.contacts.empty())
+      text << ": the smallest eigenvalue is " << result.smallest_eigenvalue << " N/m";
     result.status = EquilibriumStatus::unstable;
     result.message = text.str();
   }

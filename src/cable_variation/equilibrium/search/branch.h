@@ -72,7 +72,6 @@ class Branch {
   bool overstretched(Equilibrium& result) const;
   bool lostInRounding(Equilibrium& result) const;
   void findEigenvalue(Equilibrium& result);
-  void findEigenvalueInContact(Equilibrium& result);
   void noteForces(Equilibrium& result) const;
 
   EquilibriumOptions options_;

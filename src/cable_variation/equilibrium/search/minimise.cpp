@@ -1,6 +1,7 @@
 #include <cable_variation/equilibrium/search/minimise.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <utility>
@@ -286,6 +287,7 @@ class Descent {
     constexpr int kTrials = 30;
     ContactSystem& contact = *system_.contact();
     double share = contact.freeShare(configuration_, step_);
+    const std::array<double, 2> known = contact.energyAlong(step_);
     const double before = system_.energy().contact, gain = -system_.gradient().dot(step_);
     const double noise = kEnergyNoise * (std::abs(system_.energy().total()) + system_.energy().elastic);
     NodalField part = step_;
@@ -295,7 +297,9 @@ class Descent {
       trial_ = configuration_;
       system_.move(part, trial_);
       contact.evaluate(trial_);
-      const double rise = contact.energy() - before, most = kOfGain * share * std::max(gain, 0.0) + noise;
+      const double expected = share * (known[0] + share * known[1]);
+      const double rise = contact.energy() - before - expected;
+      const double most = kOfGain * share * std::max(gain, 0.0) + noise;
       if (rise <= most) break;
       // it grows with the square of the way beyond where gaps close
       share *= std::clamp(std::sqrt(most / rise), 0.2, 0.8);
