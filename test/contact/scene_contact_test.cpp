@@ -29,6 +29,9 @@ design_variables:
   - {name: rise, component: block, translate: z, tolerance: 5 mm}
 measures:
   - {name: force, type: section_force, cable: wire, at: 100 mm}
+  - {name: pressed, type: contact_force, component: block}
+  - {name: lying, type: contact_length, cable: wire, component: block}
+  - {name: firmness, type: eigenvalue}
 )";
 
 Scene read() { return readSceneText(kScene, "scene.yaml", findTestPackage); }
@@ -84,9 +87,22 @@ TEST(SceneContact, IsRefusedByNameWhereItIsNotKnown) {
   const SolvedScene solved{scene.harness, result, componentPosesAt(scene, {})};
   const MeasureEvaluator evaluator(scene, solved);
   expectRefused([&] { analyseStability(scene, evaluator, {}, solver); }, "stability analyses");
-  const std::vector<MeasureValue> values = evaluator.evaluate(solved, {0});
+  ASSERT_FALSE(result.contacts.empty());
+  const std::vector<MeasureValue> values = evaluator.evaluate(solved, {0, 1, 2, 3});
   EXPECT_TRUE(std::isnan(values[0].value));
-  EXPECT_NE(values[0].note.find("contact is not yet known"), std::string::npos);
+  EXPECT_NE(values[0].note.find("not yet known where a cable touches"), std::string::npos);
+  EXPECT_TRUE(std::isnan(values[3].value));
+  EXPECT_FALSE(values[3].note.empty());
+  double total = 0.0, length = 0.0;
+  for (const ContactInterval& interval : result.contacts) {
+    total += interval.total;
+    length += interval.end - interval.start;
+  }
+  EXPECT_DOUBLE_EQ(values[1].value, total);
+  EXPECT_DOUBLE_EQ(values[2].value, length);
+  EXPECT_TRUE(values[1].has_place);
+  EXPECT_GE(values[1].arc_length, result.contacts.front().start);
+  EXPECT_LE(values[1].arc_length, result.contacts.back().end);
   Harness loaded = scene.harness;
   loaded.loads.push_back({"turn", 0, 0.2, Eigen::Vector3d::Zero(), Eigen::Vector3d(0.0, 0.1, 0.0)});
   expectRefused([&] { solver.solve(loaded); }, "dead moments");

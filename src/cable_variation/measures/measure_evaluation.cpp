@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <stdexcept>
+#include <string>
 
 #include <cable_variation/geometry/tube_distance/part_vicinity.h>
 #include <cable_variation/measures/measure_functions.h>
@@ -67,27 +68,31 @@ struct MeasureEvaluator::Impl {
 
 namespace {
 
-// Between a shape's points, section forces are known by the balance of what is spread along the cable; what
-// parts press with is not yet in it.
-bool knowsContact(const Harness& harness, const Measure& measure) {
+// Whether a measure is known of an equilibrium in which cables touch parts. Between a shape's points, section
+// forces are those that balance what is spread along the cable; what parts press with is not yet among it.
+bool isKnown(const Equilibrium& equilibrium, const Measure& measure) {
   switch (measure.type) {
+    case Measure::Type::eigenvalue:
+      return equilibrium.contacts.empty();
     case Measure::Type::strain:
     case Measure::Type::stress:
     case Measure::Type::section_force:
     case Measure::Type::section_moment:
     case Measure::Type::twist:
-      return std::none_of(harness.contacts.begin(), harness.contacts.end(), [&](const PartContact& contact) {
-        return std::find(measure.cables.begin(), measure.cables.end(), contact.cable) != measure.cables.end();
-      });
+      return std::none_of(equilibrium.contacts.begin(), equilibrium.contacts.end(),
+                          [&](const ContactInterval& interval) {
+                            return std::find(measure.cables.begin(), measure.cables.end(), interval.cable) !=
+                                   measure.cables.end();
+                          });
     default:
       return true;
   }
 }
 
-MeasureValue unknownInContact() {
+MeasureValue unknownInContact(const Measure& measure) {
   MeasureValue none;
   none.value = std::numeric_limits<double>::quiet_NaN();
-  none.note = "contact is not yet known to measures of section forces, moments, strains and stresses";
+  none.note = std::string("not yet known where a cable touches a part: ") + toString(measure.type);
   return none;
 }
 
@@ -132,9 +137,9 @@ std::vector<MeasureValue> MeasureEvaluator::evaluate(const SolvedScene& at,
   values.reserve(measures.size());
   for (std::size_t i = 0; i < measures.size(); ++i) {
     const MeasureValue* known = near != nullptr && i < near->size() ? &(*near)[i] : nullptr;
-    values.push_back(knowsContact(at.harness, impl_->measure(measures[i]))
-                         ? impl_->value(context, measures[i], known)
-                         : unknownInContact());
+    const Measure& measure = impl_->measure(measures[i]);
+    values.push_back(isKnown(at.equilibrium, measure) ? impl_->value(context, measures[i], known)
+                                                      : unknownInContact(measure));
   }
   return values;
 }

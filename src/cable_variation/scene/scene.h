@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <cable_variation/geometry/mesh/triangle_mesh.h>
+#include <cable_variation/geometry/tube_distance/distance.h>
 #include <cable_variation/harness/harness.h>
 #include <cable_variation/math/pose.h>
 #include <cable_variation/scene/link_joint.h>
@@ -138,6 +139,7 @@ struct Scene {
   std::vector<ClipMount> clip_mounts;  ///< one per harness clip
   std::vector<SceneContact> contacts;
   std::vector<std::size_t> contact_components;  ///< one per Harness::contacts: the part's component
+  std::map<std::size_t, std::shared_ptr<const DistancePart>> contact_parts;  ///< of these components
   std::vector<DesignVariable> design_variables;
   std::vector<ToleranceRegion> tolerance_regions;
   std::vector<Correlation> correlations;

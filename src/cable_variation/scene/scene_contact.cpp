@@ -14,6 +14,7 @@ void makeContacts(Scene& scene) {
   std::map<std::size_t, std::shared_ptr<const ContactSurface>> surfaces;
   scene.harness.contacts.clear();
   scene.contact_components.clear();
+  scene.contact_parts.clear();
   for (const SceneContact& contact : scene.contacts) {
     for (const std::size_t component : contact.components) {
       bool any = false;
@@ -22,7 +23,11 @@ void makeContacts(Scene& scene) {
         if (mesh.triangles.empty()) continue;
         any = true;
         std::shared_ptr<const ContactSurface>& surface = surfaces[body];
-        if (!surface) surface = makePartSurface(mesh);
+        if (!surface) {
+          const auto part = std::make_shared<const DistancePart>(mesh);
+          scene.contact_parts[body] = part;
+          surface = makePartSurface(part);
+        }
         for (const std::size_t cable : contact.cables) {
           PartContact made;
           made.cable = cable;
