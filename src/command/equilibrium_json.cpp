@@ -41,6 +41,20 @@ Json energyJson(const cable_variation::EnergyTerms& energy) {
   return json.set("loads", energy.loads).set("total", energy.total());
 }
 
+Json contactJson(const cable_variation::ContactInterval& interval, const Harness& harness) {
+  Json places = Json::array(), on_part = Json::array(), forces = Json::array();
+  for (const cable_variation::ContactForce& place : interval.places) {
+    places.add(place.arc_length);
+    on_part.add(place.on_part);
+    forces.add(Eigen::Vector3d(place.force * place.direction));
+  }
+  Json json = Json::object();
+  json.set("cable", harness.cables[interval.cable].name).set("component", interval.part);
+  json.set("start", interval.start).set("end", interval.end).set("force", interval.force);
+  json.set("moment", interval.moment).set("total", interval.total).set("arc_length", std::move(places));
+  return json.set("on_component", std::move(on_part)).set("place_force", std::move(forces));
+}
+
 }  // namespace
 
 Json equilibriumJson(const Equilibrium& equilibrium, const Harness& harness) {
@@ -62,9 +76,13 @@ Json equilibriumJson(const Equilibrium& equilibrium, const Harness& harness) {
   for (const cable_variation::Alternative& other : equilibrium.alternatives) {
     others.add(Json::object().set("energy", other.energy).set("largest_distance", other.largest_distance));
   }
+  Json contacts = Json::array();
+  for (const cable_variation::ContactInterval& interval : equilibrium.contacts)
+    contacts.add(contactJson(interval, harness));
   Json json = Json::object();
   json.set("shapes", std::move(shapes)).set("clip_reactions", std::move(clips));
-  json.set("joint_reactions", std::move(joints)).set("energy", energyJson(equilibrium.energy));
+  json.set("joint_reactions", std::move(joints)).set("contacts", std::move(contacts));
+  json.set("smallest_gap", equilibrium.smallest_gap).set("energy", energyJson(equilibrium.energy));
   json.set("smallest_eigenvalue", equilibrium.smallest_eigenvalue).set("iterations", equilibrium.iterations);
   json.set("residual", equilibrium.residual).set("discretisation_error", equilibrium.discretisation_error);
   return json.set("solve_time", equilibrium.solve_time).set("alternatives", std::move(others));

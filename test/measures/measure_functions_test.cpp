@@ -29,10 +29,14 @@ Scene sceneOfTwo() {
   return scene;
 }
 
+bool isOfContact(const MeasureTraits& traits) {
+  return traits.type == Measure::Type::contact_force || traits.type == Measure::Type::contact_length;
+}
+
 // A measure of the type that needs no more than these cables, a clip, and the box.
 Measure measureOf(const MeasureTraits& traits, std::vector<std::size_t> cables) {
   Measure made = measure(traits.type, traits.name, std::move(cables));
-  if (traits.clearance) made.component = 0;
+  if (traits.clearance || isOfContact(traits)) made.component = 0;
   made.arc_length = traits.subject == Subject::cable ? std::optional<double>(0.1) : std::nullopt;
   made.direction = Eigen::Vector3d::UnitZ();
   made.to = 0.2;
@@ -73,6 +77,11 @@ TEST(MeasureFunctions, valuesAreOfWhatTheTraitsSay) {
     const double both = values[3 * i].value, first = values[3 * i + 1].value,
                  second = values[3 * i + 2].value;
     EXPECT_TRUE(std::isfinite(both)) << traits.name;
+    if (isOfContact(traits)) {  // nothing touches here: test/contact
+      EXPECT_EQ(both, 0.0) << traits.name;
+      EXPECT_FALSE(values[3 * i].has_place) << traits.name;
+      continue;
+    }
     EXPECT_EQ(values[3 * i].has_place, traits.subject != Subject::harness) << traits.name;
     if (traits.subject == Subject::cables) {
       EXPECT_NE(first, second) << traits.name << ": the cables are alike, nothing is seen of the worse";

@@ -2,6 +2,7 @@
 #include <ros_interface/display/marker_channel.h>
 #include <ros_interface/markers/cable_markers.h>
 #include <ros_interface/markers/clip_markers.h>
+#include <ros_interface/markers/contact_markers.h>
 
 #include <gtest/gtest.h>
 
@@ -89,6 +90,49 @@ TEST_F(CableMarkers, IdsAreStable) {
   const auto first = ids();
   EXPECT_EQ(first, ids());
   EXPECT_EQ((std::set<std::pair<std::string, int>>(first.begin(), first.end()).size()), first.size());
+}
+
+// A stretch of 25 mm of many places, pressed evenly, is three arrows of a third of its force each; what
+// presses a hundredth of that in one place is none. They point away from the part, and start beyond the
+// cable.
+TEST_F(CableMarkers, ForcesOfContactAreArrowsOfSomeMillimetres) {
+  ASSERT_TRUE(equilibrium_.converged()) << equilibrium_.message;
+  EXPECT_TRUE(contactMarkers(equilibrium_, harness_).markers.empty());
+  const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+  const CableShape& shape = equilibrium_.shapes[0];
+  ContactInterval flat;
+  flat.start = 0.1;
+  flat.end = 0.125;
+  constexpr int kPlaces = 30;
+  for (int i = 0; i < kPlaces; ++i) {
+    const double s = flat.start + (i + 0.5) / kPlaces * (flat.end - flat.start);
+    flat.places.push_back({s, shape.position(s) - shape.radius * up, up, 0.1});
+    flat.total += 0.1;
+  }
+  ContactInterval faint;
+  faint.start = faint.end = 0.2;
+  faint.total = 0.01;
+  faint.places = {{0.2, shape.position(0.2) - shape.radius * up, up, 0.01}};
+  equilibrium_.contacts = {flat, faint};
+  const std::vector<Marker> arrows = contactMarkers(equilibrium_, harness_).markers;
+  ASSERT_EQ(arrows.size(), 3u);
+  double last = flat.start;
+  for (const Marker& arrow : arrows) {
+    EXPECT_EQ(arrow.ns, "contact/strand");
+    EXPECT_EQ(arrow.type, Marker::ARROW);
+    ASSERT_EQ(arrow.points.size(), 2u);
+    EXPECT_EQ(arrow.points[0].x, arrow.points[1].x);
+    EXPECT_GT(arrow.points[1].z - arrow.points[0].z, 0.005);
+    EXPECT_NEAR(arrow.points[1].z - arrow.points[0].z, arrows[0].points[1].z - arrows[0].points[0].z, 1e-12);
+    const double middle = last + 0.5 * (flat.end - flat.start) / 3.0;
+    last += (flat.end - flat.start) / 3.0;
+    EXPECT_NEAR(arrow.points[0].x, shape.position(middle).x(), 1e-4);
+    EXPECT_NEAR(arrow.points[0].z, shape.position(middle).z() + shape.radius, 1e-3);
+  }
+  const std::vector<Label> labels = contactLabels(equilibrium_);
+  ASSERT_EQ(labels.size(), 2u);
+  EXPECT_EQ(labels[0].text, "3 N");
+  EXPECT_EQ(labels[1].text, "0.01 N");
 }
 
 /// Types and sizes of a clip's markers.

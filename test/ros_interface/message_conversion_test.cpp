@@ -115,6 +115,39 @@ TEST(MessageConversion, AnEquilibriumIsToldWhole) {
   EXPECT_EQ(response.alternatives[0].largest_distance, 0.5);
 }
 
+TEST(MessageConversion, WhatTouchesIsToldWithItsPlaces) {
+  Equilibrium equilibrium = quarterCircle();
+  EXPECT_TRUE(std::isinf(toResponse(equilibrium, bowHarness()).smallest_gap));
+  cable_variation::ContactInterval interval;
+  interval.part = "post";
+  interval.start = 0.1;
+  interval.end = 0.2;
+  interval.force = {0.0, 3.0, 4.0};
+  interval.moment = {1.0, 2.0, 3.0};
+  interval.total = 6.0;
+  interval.places = {{0.1, {1.0, 2.0, 3.0}, {0.0, 0.6, 0.8}, 5.0},
+                     {0.2, {4.0, 5.0, 6.0}, {0.0, 0.0, 1.0}, 1.0}};
+  equilibrium.contacts = {interval};
+  equilibrium.smallest_gap = -1e-6;
+  const cable_variation::SolveEquilibriumResponse response = toResponse(equilibrium, bowHarness());
+  EXPECT_EQ(response.smallest_gap, -1e-6);
+  ASSERT_EQ(response.contacts.size(), 1u);
+  const cable_variation::CableContact& contact = response.contacts[0];
+  EXPECT_EQ(contact.cable, "bow");
+  EXPECT_EQ(contact.component, "post");
+  EXPECT_EQ(contact.start, 0.1);
+  EXPECT_EQ(contact.end, 0.2);
+  EXPECT_EQ(fromVector(contact.force), interval.force);
+  EXPECT_EQ(fromVector(contact.moment), interval.moment);
+  EXPECT_EQ(contact.total, 6.0);
+  ASSERT_EQ(contact.arc_length.size(), 2u);
+  ASSERT_EQ(contact.on_component.size(), 2u);
+  ASSERT_EQ(contact.place_force.size(), 2u);
+  EXPECT_EQ(contact.arc_length[1], 0.2);
+  EXPECT_EQ(contact.on_component[0].y, 2.0);
+  EXPECT_TRUE(fromVector(contact.place_force[0]).isApprox(Eigen::Vector3d(0.0, 3.0, 4.0)));
+}
+
 TEST(MessageConversion, AShapeThatIsNoEquilibriumIsNotTold) {
   Equilibrium equilibrium = quarterCircle();
   equilibrium.status = EquilibriumStatus::unstable;

@@ -396,6 +396,7 @@ class Generator {
 
 Envelope generateEnvelope(const Scene& scene, const EnvelopeOptions& options, const EquilibriumSolver& solver,
                           const ProgressObserver& observer, const SolvedWitness& witness) {
+  requireNoContact(scene.harness, "envelopes");
   Envelope envelope;
   withThreads(options.threads,
               [&] { envelope = Generator(scene, options, solver, observer, witness).run(); });

@@ -127,8 +127,18 @@ struct BatchSolver::Lanes {
   bool hessian = false;           // evaluated last
 };
 
+namespace {
+
+const EquilibriumSolver& knownToBatches(const EquilibriumSolver& nominal, const Harness& harness) {
+  requireNoContact(harness, "batches");
+  return nominal;
+}
+
+}  // namespace
+
 BatchSolver::BatchSolver(const EquilibriumSolver& nominal)
-    : nominal_(std::make_shared<const Nominal>(nominal.refined(kReserve).problem(), nominal.options())),
+    : nominal_(std::make_shared<const Nominal>(
+          knownToBatches(nominal, nominal.problem().harness).refined(kReserve).problem(), nominal.options())),
       lanes_(std::make_unique<Lanes>(*nominal_)) {}
 
 BatchSolver::~BatchSolver() = default;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -55,12 +56,33 @@ struct Reaction {
   Pose section;                 ///< the held section in the world
 };
 
+/// A place where a cable touches a part.
+struct ContactForce {
+  double arc_length = 0.0;    ///< [m]
+  Eigen::Vector3d on_part;    ///< on the part's surface [m, world]
+  Eigen::Vector3d direction;  ///< unit, from the part to the cable
+  double force = 0.0;         ///< that the part presses the cable with, along `direction` [N]
+};
+
+/// A stretch of a cable that touches a part all along, or in one place.
+struct ContactInterval {
+  std::size_t cable = 0;          ///< index into Harness::cables
+  std::size_t contact = 0;        ///< index into Harness::contacts
+  std::string part;               ///< its name
+  double start = 0.0, end = 0.0;  ///< arc lengths of the first and the last place that touches [m]
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< resultant, on the cable [N], world
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< of all forces about the origin [N m], world
+  double total = 0.0;                                ///< sum of the forces' amounts [N]
+  std::vector<ContactForce> places;                  ///< by arc length: what the resultant is of
+};
+
 struct EnergyTerms {
   double elastic = 0.0;  ///< stretch, shear, bending, torsion [J]
   double gravity = 0.0;  ///< -∫ρA g·φ ds [J]
   double springs = 0.0;  ///< of sprung clips [J]
   double loads = 0.0;    ///< minus the work potential of point forces [J]
-  double total() const { return elastic + gravity + springs + loads; }
+  double contact = 0.0;  ///< of gaps that are not quite closed or opened; next to nothing at rest [J]
+  double total() const { return elastic + gravity + springs + loads + contact; }
 };
 
 enum class EquilibriumStatus {
@@ -78,6 +100,9 @@ struct Alternative {
   double largest_distance = 0.0;  ///< between its centrelines and the chosen ones [m]
 };
 
+/// The gap where there is nothing to touch [m].
+constexpr double kNoGap = std::numeric_limits<double>::infinity();
+
 struct Equilibrium {
   EquilibriumStatus status = EquilibriumStatus::not_converged;
   std::string message;             ///< for a person; names the cable or clip when status is not converged
@@ -87,11 +112,14 @@ struct Equilibrium {
   double residual = 0.0;  ///< largest out-of-balance force [N] (moments over the cable's radius of gyration)
   double discretisation_error = 0.0;  ///< estimate of the centreline's distance from the continuum [m]
   EnergyTerms energy;
-  double smallest_eigenvalue = 0.0;       ///< of the constrained Hessian [N/m], see EquilibriumSolver
+  double smallest_eigenvalue = 0.0;       ///< of the constrained Hessian [N/m], see EquilibriumSolver; not a
+                                          ///< number where a cable touches: it is not yet known there
   double solve_time = 0.0;                ///< [s]
   std::vector<CableShape> shapes;         ///< one per cable, in the harness's order
   std::vector<Reaction> clip_reactions;   ///< one per clip
   std::vector<Reaction> joint_reactions;  ///< one per joint
+  std::vector<ContactInterval> contacts;  ///< by cable and arc length; none unless the harness has contact
+  double smallest_gap = kNoGap;           ///< of the cables to parts that they have contact with, exact [m]
   std::vector<Alternative> alternatives;  ///< other stable equilibria, by energy
 
   bool converged() const { return status == EquilibriumStatus::converged; }

@@ -6,6 +6,7 @@
 
 #include <cable_variation/equilibrium/derivatives/eigenvalue_rate.h>
 #include <cable_variation/equilibrium/derivatives/equilibrium_rate.h>
+#include <cable_variation/equilibrium/discretisation/contact_result.h>
 #include <cable_variation/equilibrium/discretisation/equilibrium_result.h>
 #include <cable_variation/equilibrium/equilibrium.h>
 #include <cable_variation/equilibrium/search/branch.h>
@@ -47,9 +48,29 @@ struct EquilibriumSolver::Impl {
   std::unique_ptr<Branch> branch;  // of the last converged call
 };
 
+// What contact does not know yet.
+void requireKnownContact(const Harness& harness) {
+  const bool moments = std::any_of(harness.loads.begin(), harness.loads.end(),
+                                   [](const PointLoad& load) { return !load.moment.isZero(0.0); });
+  if (moments) requireNoContact(harness, "dead moments");
+}
+
+// Whether contact can be anywhere outside the parts; else the result says why not.
+bool canBeOutside(const Harness& harness, Equilibrium& result) {
+  result.message = heldInside(harness);
+  if (result.message.empty()) return true;
+  result.status = EquilibriumStatus::impossible;
+  return false;
+}
+
 Equilibrium EquilibriumSolver::Impl::solve(const Harness& harness) {
   const auto start = Clock::now();
+  requireKnownContact(harness);
   Equilibrium result;
+  if (!canBeOutside(harness, result)) {
+    branch.reset();
+    return result;
+  }
   branch = lowestShape(harness, options, result);
   if (branch) branch->finish(result);
   if (!result.converged()) branch.reset();
@@ -59,6 +80,7 @@ Equilibrium EquilibriumSolver::Impl::solve(const Harness& harness) {
 
 Equilibrium EquilibriumSolver::Impl::update(const Harness& harness) {
   const auto start = Clock::now();
+  requireKnownContact(harness);
   if (!branch) return solve(harness);
   const Problem& problem = branch->problem();
   const Topology topology = makeTopology(harness);
@@ -66,6 +88,10 @@ Equilibrium EquilibriumSolver::Impl::update(const Harness& harness) {
   // there is no energy to follow a shape by while dead moments grow or turn
   if (!problem.system->conservative() || !problem.system->conservative(harness)) return solve(harness);
   Equilibrium result;
+  if (!canBeOutside(harness, result)) {
+    branch.reset();
+    return result;
+  }
   branch->setOptions(options);
   if (!branch->follow(harness, topology, result)) return solve(harness);  // the branch ends here
   branch->finish(result);
@@ -77,7 +103,12 @@ Equilibrium EquilibriumSolver::Impl::update(const Harness& harness) {
 Equilibrium EquilibriumSolver::Impl::solveFrom(const Harness& harness,
                                                const std::vector<CableShape>& shapes) {
   const auto start = Clock::now();
+  requireKnownContact(harness);
   Equilibrium result;
+  if (!canBeOutside(harness, result)) {
+    branch.reset();
+    return result;
+  }
   branch = shapeFrom(harness, shapes, options, result);
   if (branch) branch->finish(result);
   if (!result.converged()) branch.reset();
@@ -90,6 +121,7 @@ LinearResponse EquilibriumSolver::Impl::linearise() {
   // The error of the derivatives is the shift over the softest motion's share of the bending stiffness.
   constexpr double kSmallestShift = 1e-12;
   if (!branch || branch->unstable()) throw std::logic_error("there is no equilibrium to differentiate");
+  requireNoContact(branch->problem().harness, "derivatives of an equilibrium");
   Problem& problem = branch->problem();
   for (double shift : {kSmallestShift, neutralShift(*problem.system)}) {
     problem.system->evaluate(problem.configuration, RodSystem::Hessian::exact);

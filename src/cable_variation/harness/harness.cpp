@@ -80,6 +80,42 @@ void validate(const Harness& harness, const PointLoad& load) {
   if (!load.moment.allFinite()) refuse(who, " has a moment that is not finite");
 }
 
+// Where a cable slides, the radius at a place of it would be an unknown, which contact does not know yet.
+void requireKnownRadius(const Harness& harness, const PartContact& contact) {
+  const Cable& cable = harness.cables[contact.cable];
+  const double radius = cable.sections.front().section.radius;
+  const bool varies = std::any_of(cable.sections.begin(), cable.sections.end(),
+                                  [&](const SectionAt& knot) { return knot.section.radius != radius; });
+  if (!varies) return;
+  for (const Clip& clip : harness.clips) {
+    if (clip.cable != contact.cable || !clip.constraint.slides) continue;
+    refuse("cable '", cable.name, "' slides through clip '", clip.name,
+           "', and its radius changes along it; contact with part '", contact.part,
+           "' expects the same radius all along, or a cable that does not slide");
+  }
+}
+
+void validate(const Harness& harness, const PartContact& contact) {
+  const std::string who = "contact with part '" + contact.part + "'";
+  const Cable& cable = cableOf(harness, contact.cable, who);
+  if (!contact.surface) refuse(who, " has no surface");
+  if (!(std::isfinite(contact.stand_off) && contact.stand_off >= 0.0))
+    refuse(who, " has a stand-off of ", contact.stand_off, " m, expected 0 or more");
+  if (!(std::isfinite(contact.skip_near_clips) && contact.skip_near_clips >= 0.0))
+    refuse(who, " skips ", contact.skip_near_clips, " m near clips, expected 0 or more");
+  for (const std::size_t clip : contact.own_clips) {
+    if (clip >= harness.clips.size())
+      refuse(who, " names clip ", clip, ", expected less than the ", harness.clips.size(),
+             " clips there are");
+  }
+  for (const SectionAt& section : cable.sections) {
+    if (section.section.radius + contact.stand_off > 0.0) continue;
+    refuse("cable '", cable.name, "' has a radius of ", section.section.radius, " m and a stand-off of ",
+           contact.stand_off, " m from part '", contact.part, "'; contact expects more than 0 together");
+  }
+  requireKnownRadius(harness, contact);
+}
+
 // Two clips, or a clip and a joint's child, cannot hold one section.
 void collectSharedSections(const Harness& harness, std::vector<std::string>& faults) {
   struct Claim {
@@ -168,6 +204,7 @@ std::vector<std::string> faultsOf(const Harness& harness) {
   for (const Clip& clip : harness.clips) collect([&] { validate(harness, clip); });
   for (const Joint& joint : harness.joints) collect([&] { validate(harness, joint); });
   for (const PointLoad& load : harness.loads) collect([&] { validate(harness, load); });
+  for (const PartContact& contact : harness.contacts) collect([&] { validate(harness, contact); });
   if (!faults.empty()) return faults;  // what follows needs sound indices and lengths
   collectSharedSections(harness, faults);
   collectLooseCables(harness, faults);

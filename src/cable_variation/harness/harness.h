@@ -4,6 +4,7 @@
 #include <vector>
 
 #include <cable_variation/harness/clip.h>
+#include <cable_variation/harness/contact.h>
 #include <cable_variation/rod/cable.h>
 
 namespace cable_variation {
@@ -40,6 +41,7 @@ struct Harness {
   std::vector<Clip> clips;
   std::vector<Joint> joints;
   std::vector<PointLoad> loads;
+  std::vector<PartContact> contacts;  ///< none: cables go through parts
 };
 
 /// Throws std::invalid_argument that names the cable, clip, joint or load, the

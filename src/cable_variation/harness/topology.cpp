@@ -215,6 +215,11 @@ Topology makeTopology(const Harness& harness) {
 }
 
 bool sameStructure(const Harness& a, const Topology& of_a, const Harness& b, const Topology& of_b) {
+  const auto alike = [](const PartContact& s, const PartContact& t) {
+    return s.cable == t.cable && s.surface == t.surface;
+  };
+  if (!std::equal(a.contacts.begin(), a.contacts.end(), b.contacts.begin(), b.contacts.end(), alike))
+    return false;
   if (a.cables.size() != b.cables.size() || a.clips.size() != b.clips.size() ||
       a.joints.size() != b.joints.size() || of_a.stations.size() != of_b.stations.size()) {
     return false;

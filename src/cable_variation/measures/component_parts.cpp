@@ -8,19 +8,6 @@
 
 namespace cable_variation {
 
-TriangleMesh mergedMesh(const Component& component) {
-  TriangleMesh merged;
-  for (const Visual& visual : component.visuals) {
-    if (!visual.mesh) continue;
-    const auto first = static_cast<std::uint32_t>(merged.vertices.size());
-    for (const Eigen::Vector3d& vertex : visual.mesh->vertices)
-      merged.vertices.push_back(visual.pose * vertex);
-    for (const auto& corners : visual.mesh->triangles)
-      merged.triangles.push_back({corners[0] + first, corners[1] + first, corners[2] + first});
-  }
-  return merged;
-}
-
 namespace {
 
 bool hasTriangles(const Component& component) {
@@ -42,9 +29,10 @@ std::vector<std::size_t> measuredComponents(const Scene& scene, std::size_t comp
 // With what it was made from: as long as that is the same it can be used again.
 struct ComponentParts::Prepared {
   std::vector<std::pair<std::shared_ptr<const TriangleMesh>, Pose>> of;
-  DistancePart part;
+  std::shared_ptr<const DistancePart> part;
 
-  explicit Prepared(const Component& component) : part(mergedMesh(component)) {
+  Prepared(const Component& component, std::shared_ptr<const DistancePart> known)
+      : part(known ? std::move(known) : std::make_shared<const DistancePart>(mergedMesh(component))) {
     for (const Visual& visual : component.visuals) of.emplace_back(visual.mesh, visual.pose);
   }
   bool fits(const Component& component) const {
@@ -70,7 +58,9 @@ void ComponentParts::prepare(const Scene& scene, std::size_t component, const Co
     return;
   }
   try {
-    parts_[component] = std::make_shared<const Prepared>(of);
+    const auto touched = scene.contact_parts.find(component);
+    parts_[component] = std::make_shared<const Prepared>(
+        of, touched == scene.contact_parts.end() ? nullptr : touched->second);
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument("component '" + of.name + "': " + error.what());
   }
@@ -83,7 +73,7 @@ void ComponentParts::prepareAll(const Scene& scene, const ComponentParts& known)
 }
 
 const DistancePart* ComponentParts::find(std::size_t component) const {
-  return component < parts_.size() && parts_[component] ? &parts_[component]->part : nullptr;
+  return component < parts_.size() && parts_[component] ? parts_[component]->part.get() : nullptr;
 }
 
 }  // namespace cable_variation

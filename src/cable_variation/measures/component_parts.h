@@ -4,12 +4,10 @@
 #include <vector>
 
 #include <cable_variation/geometry/tube_distance/distance.h>
+#include <cable_variation/scene/merged_mesh.h>
 #include <cable_variation/scene/scene.h>
 
 namespace cable_variation {
-
-/// A component's visuals as one mesh in its frame, one after the other: what distances are measured to.
-TriangleMesh mergedMesh(const Component& component);
 
 /// A component with triangles that a measure looks at.
 struct MeasuredBody {

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <stdexcept>
+#include <string>
 
 #include <cable_variation/geometry/tube_distance/part_vicinity.h>
 #include <cable_variation/measures/measure_functions.h>
@@ -64,6 +66,38 @@ struct MeasureEvaluator::Impl {
   }
 };
 
+namespace {
+
+// Whether a measure is known of an equilibrium in which cables touch parts. Between a shape's points, section
+// forces are those that balance what is spread along the cable; what parts press with is not yet among it.
+bool isKnown(const Equilibrium& equilibrium, const Measure& measure) {
+  switch (measure.type) {
+    case Measure::Type::eigenvalue:
+      return equilibrium.contacts.empty();
+    case Measure::Type::strain:
+    case Measure::Type::stress:
+    case Measure::Type::section_force:
+    case Measure::Type::section_moment:
+    case Measure::Type::twist:
+      return std::none_of(equilibrium.contacts.begin(), equilibrium.contacts.end(),
+                          [&](const ContactInterval& interval) {
+                            return std::find(measure.cables.begin(), measure.cables.end(), interval.cable) !=
+                                   measure.cables.end();
+                          });
+    default:
+      return true;
+  }
+}
+
+MeasureValue unknownInContact(const Measure& measure) {
+  MeasureValue none;
+  none.value = std::numeric_limits<double>::quiet_NaN();
+  none.note = std::string("not yet known where a cable touches a part: ") + toString(measure.type);
+  return none;
+}
+
+}  // namespace
+
 MeasureEvaluator::MeasureEvaluator(const Scene& scene, const SolvedScene& nominal)
     : impl_(std::make_unique<Impl>(scene, nominal, ComponentParts())) {}
 MeasureEvaluator::~MeasureEvaluator() = default;
@@ -103,7 +137,9 @@ std::vector<MeasureValue> MeasureEvaluator::evaluate(const SolvedScene& at,
   values.reserve(measures.size());
   for (std::size_t i = 0; i < measures.size(); ++i) {
     const MeasureValue* known = near != nullptr && i < near->size() ? &(*near)[i] : nullptr;
-    values.push_back(impl_->value(context, measures[i], known));
+    const Measure& measure = impl_->measure(measures[i]);
+    values.push_back(isKnown(at.equilibrium, measure) ? impl_->value(context, measures[i], known)
+                                                      : unknownInContact(measure));
   }
   return values;
 }

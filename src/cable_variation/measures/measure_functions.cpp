@@ -1,8 +1,10 @@
 #include <cable_variation/measures/measure_functions.h>
 
 #include <array>
+#include <limits>
 
 #include <cable_variation/measures/measure_clip.h>
+#include <cable_variation/measures/measure_contact.h>
 #include <cable_variation/measures/measure_distance.h>
 #include <cable_variation/measures/measure_shape.h>
 #include <cable_variation/measures/measure_similarity.h>
@@ -77,6 +79,11 @@ RateOfMeasure leftToTheSolver(Context, Of, At) {
   return [](Rates) { return 0.0; };
 }
 
+// Derivatives of equilibria with contact are refused before they get here.
+RateOfMeasure notKnown(Context, Of, At) {
+  return [](Rates) { return std::numeric_limits<double>::quiet_NaN(); };
+}
+
 constexpr std::array<MeasureFunctions, enumeratorCount<Type>()> kFunctions{{
     {Type::distance, distanceValue, distanceRate},
     {Type::similarity, similarityTo, similarityRate},
@@ -90,6 +97,8 @@ constexpr std::array<MeasureFunctions, enumeratorCount<Type>()> kFunctions{{
     {Type::clip_force, plainValue<clipLoadValue>, rateOfClipLoad},
     {Type::clip_moment, plainValue<clipLoadValue>, rateOfClipLoad},
     {Type::slide, plainValue<slideValue>, rateOfSlide},
+    {Type::contact_force, plainValue<contactValue>, notKnown},
+    {Type::contact_length, plainValue<contactValue>, notKnown},
     {Type::energy, figureOf<elasticEnergy>, rateOfEnergy},
     {Type::eigenvalue, figureOf<smallestEigenvalue>, leftToTheSolver},
 }};

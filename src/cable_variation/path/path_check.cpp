@@ -237,6 +237,7 @@ class PathFollower {
 
 PathCheck checkPath(PathTask task, const MeasureEvaluator& evaluator,
                     const std::function<bool(double)>& goes_on) {
+  requireNoContact(task.design.scene.harness, "paths");
   return PathFollower(std::move(task), evaluator).follow(goes_on);
 }
 

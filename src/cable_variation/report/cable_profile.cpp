@@ -82,12 +82,16 @@ std::vector<ProfilePoint> cableProfile(const SolvedScene& solved, std::size_t ca
   return profile;
 }
 
-std::vector<std::pair<std::string, std::string>> profileCharts(const Scene& scene, const SolvedScene& solved,
-                                                               std::size_t cable) {
-  const std::vector<ProfilePoint> profile = cableProfile(solved, cable);
-  const std::string& name = solved.harness.cables[cable].name;
-  std::vector<std::pair<std::string, std::string>> charts;
+bool touchesPart(const Equilibrium& equilibrium, std::size_t cable) {
+  return std::any_of(equilibrium.contacts.begin(), equilibrium.contacts.end(),
+                     [&](const ContactInterval& interval) { return interval.cable == cable; });
+}
 
+namespace {
+
+void addLoadCharts(const std::vector<ProfilePoint>& profile, const Scene& scene, const SolvedScene& solved,
+                   std::size_t cable, std::vector<std::pair<std::string, std::string>>& charts) {
+  const std::string& name = solved.harness.cables[cable].name;
   ProfileChart force = chartOf(solved, cable, "force [N]");
   force.lines = {lineOf(profile, "all of it", kFirst, [](const ProfilePoint& p) { return p.force; }),
                  lineOf(profile, "tension", kSecond, [](const ProfilePoint& p) { return p.axial; })};
@@ -100,6 +104,17 @@ std::vector<std::pair<std::string, std::string>> profileCharts(const Scene& scen
                   lineOf(profile, "torsion", kSecond, [](const ProfilePoint& p) { return p.torsion; })};
   moment.limits = limitsOf(scene, cable, Measure::Type::section_moment);
   charts.emplace_back(profileChart(moment), name + ": section moment, and its part about the cable");
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> profileCharts(const Scene& scene, const SolvedScene& solved,
+                                                               std::size_t cable) {
+  const std::vector<ProfilePoint> profile = cableProfile(solved, cable);
+  const std::string& name = solved.harness.cables[cable].name;
+  std::vector<std::pair<std::string, std::string>> charts;
+
+  if (!touchesPart(solved.equilibrium, cable)) addLoadCharts(profile, scene, solved, cable, charts);
 
   ProfileChart curvature = chartOf(solved, cable, "curvature [1/m]");
   curvature.lines = {lineOf(profile, "", kFirst, [](const ProfilePoint& p) { return p.curvature; })};

@@ -17,11 +17,14 @@ struct ProfilePoint {
 };
 
 /// Along one cable of a solved harness, by the balance of forces and the curve between the sections solved.
-/// At a clip two points share the arc length: loads jump there.
+/// At a clip two points share the arc length: loads jump there. Not of a cable that touches a part.
 std::vector<ProfilePoint> cableProfile(const SolvedScene& solved, std::size_t cable);
 
+/// Whether a cable touches a part: then what its sections bear between those solved is not yet known.
+bool touchesPart(const Equilibrium& equilibrium, std::size_t cable);
+
 /// Force, moment, curvature and bend radius along a cable, with the limits of measures that look at all of
-/// it; each with its caption.
+/// it; each with its caption. Of one that touches a part, without force and moment.
 std::vector<std::pair<std::string, std::string>> profileCharts(const Scene& scene, const SolvedScene& solved,
                                                                std::size_t cable);
 

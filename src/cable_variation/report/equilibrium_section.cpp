@@ -1,6 +1,7 @@
 #include <cable_variation/report/equilibrium_section.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <cable_variation/equilibrium/bend_radius.h>
@@ -61,17 +62,40 @@ ReportTable reactionTable(const SolvedScene& solved) {
   return table;
 }
 
+ReportTable contactTable(const SolvedScene& solved) {
+  constexpr int kDigits = 4;
+  ReportTable table{"Where parts press cables: forces on the cable along the axes of the world",
+                    {"part", "cable", "from arc length\n[mm]", "to\n[mm]", "Fx\n[N]", "Fy\n[N]", "Fz\n[N]",
+                     "sum of amounts\n[N]"},
+                    {}};
+  for (const ContactInterval& interval : solved.equilibrium.contacts) {
+    std::vector<ReportCell> row{plain(interval.part), plain(solved.harness.cables[interval.cable].name),
+                                plain(millimetres(interval.start)), plain(millimetres(interval.end))};
+    for (int k = 0; k < 3; ++k) row.push_back(plain(figure(interval.force[k], kDigits)));
+    row.push_back(plain(figure(interval.total, kDigits)));
+    table.rows.push_back(row);
+  }
+  return table;
+}
+
+std::string stabilityOf(const Equilibrium& equilibrium) {
+  if (std::isnan(equilibrium.smallest_eigenvalue))
+    return "Stable; the smallest eigenvalue is not yet known where cables touch parts.";
+  return "Stable: smallest eigenvalue " + figure(equilibrium.smallest_eigenvalue) + " N/m.";
+}
+
 }  // namespace
 
 std::vector<ReportTable> equilibriumTables(const SolvedScene& solved) {
-  return {shapeTable(solved), reactionTable(solved)};
+  std::vector<ReportTable> tables{shapeTable(solved), reactionTable(solved)};
+  if (!solved.equilibrium.contacts.empty()) tables.push_back(contactTable(solved));
+  return tables;
 }
 
 ReportSection equilibriumSection(const Scene& scene, const SolvedScene& solved) {
   const Equilibrium& equilibrium = solved.equilibrium;
   ReportSection section("The design at rest");
-  section.paragraph("Stable: smallest eigenvalue " + figure(equilibrium.smallest_eigenvalue) +
-                    " N/m. Forces are balanced to " + figure(equilibrium.residual, 2) +
+  section.paragraph(stabilityOf(equilibrium) + " Forces are balanced to " + figure(equilibrium.residual, 2) +
                     " N; centrelines are within about " + millimetres(equilibrium.discretisation_error, 2) +
                     " mm of the exact ones. Elastic energy " + figure(equilibrium.energy.elastic) +
                     " J. Other stable shapes met: " + std::to_string(equilibrium.alternatives.size()) + ".");
@@ -83,6 +107,11 @@ ReportSection equilibriumSection(const Scene& scene, const SolvedScene& solved) 
       "dashed "
       "red: limits of measures.");
   for (std::size_t i = 0; i < solved.harness.cables.size(); ++i) {
+    if (touchesPart(equilibrium, i)) {
+      section.paragraph("Cable " + solved.harness.cables[i].name +
+                        " touches a part: its section forces and moments between the sections solved are not "
+                        "yet known, and not drawn.");
+    }
     for (const auto& [chart, caption] : profileCharts(scene, solved, i))
       section.chart(chart, caption, ReportSection::Width::half);
   }

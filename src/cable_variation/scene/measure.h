@@ -27,15 +27,18 @@ struct Measure {
     clip_force,      ///< on the cable [N]
     clip_moment,     ///< on the cable [N m]
     slide,           ///< of the cable through a clip: arc length held minus the scene's [m]
+    contact_force,   ///< that a component presses a cable with: sum of the amounts of all its forces [N]
+    contact_length,  ///< of the stretches along which a cable touches a component [m]
     energy,          ///< elastic energy of the harness [J]
     eigenvalue       ///< smallest of the Hessian, see EquilibriumSolver [N/m]
   };
 
   std::string name;
   Type type = Type::distance;
-  std::string unit;                       ///< SI
-  std::vector<std::size_t> cables;        ///< looked at, indices into Harness::cables
-  std::optional<std::size_t> component;   ///< distance: to this component, of a robot: to all its links
+  std::string unit;                      ///< SI
+  std::vector<std::size_t> cables;       ///< looked at, indices into Harness::cables
+  std::optional<std::size_t> component;  ///< distance, contact_force, contact_length: to this component, of a
+                                         ///< robot: to all its links
   std::vector<std::size_t> other_cables;  ///< distance: to these cables
   double skip_near_clips =
       0.0;  ///< distance: sections within this of a clip that rides on `component` do not count [m]

@@ -5,6 +5,7 @@
 
 #include <cable_variation/scene/cable_property.h>
 #include <cable_variation/scene/deviations.h>
+#include <cable_variation/scene/scene_contact.h>
 #include <cable_variation/util/quantity.h>
 
 namespace cable_variation {
@@ -85,6 +86,7 @@ Harness harnessAt(const Scene& scene, const DesignValues& values, const Componen
     const Pose carrier = component == ComponentFrame::kWorld ? Pose() : frames[component].pose;
     harness.clips[i].pose = carrier * mount.pose * deviations.clips[i].pose();
   }
+  placeContacts(scene, frames, harness);
   if (!harness.cables.empty()) validate(harness);
   return harness;
 }

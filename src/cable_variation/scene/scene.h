@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <cable_variation/geometry/mesh/triangle_mesh.h>
+#include <cable_variation/geometry/tube_distance/distance.h>
 #include <cable_variation/harness/harness.h>
 #include <cable_variation/math/pose.h>
 #include <cable_variation/scene/link_joint.h>
@@ -55,6 +56,14 @@ struct Component {
 struct ClipMount {
   std::string component = "world";
   Pose pose;
+};
+
+/// Which parts cables touch instead of entering them.
+struct SceneContact {
+  std::vector<std::size_t> cables;      ///< indices into Harness::cables
+  std::vector<std::size_t> components;  ///< of a robot's root: all its links
+  double stand_off = 0.0;               ///< the gap that is kept [m]
+  double skip_near_clips = 0.0;         ///< sections within this of a clip on the part do not count [m]
 };
 
 /// What a design variable moves or scales.
@@ -128,6 +137,9 @@ struct Scene {
   std::vector<Component> components;
   Harness harness;  ///< clip poses resolved to the world at the scene's own component poses
   std::vector<ClipMount> clip_mounts;  ///< one per harness clip
+  std::vector<SceneContact> contacts;
+  std::vector<std::size_t> contact_components;  ///< one per Harness::contacts: the part's component
+  std::map<std::size_t, std::shared_ptr<const DistancePart>> contact_parts;  ///< of these components
   std::vector<DesignVariable> design_variables;
   std::vector<ToleranceRegion> tolerance_regions;
   std::vector<Correlation> correlations;

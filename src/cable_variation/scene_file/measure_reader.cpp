@@ -210,6 +210,41 @@ void readSlide(const YamlCursor& item, Measure& measure, const ReadContext& cont
   readClipOf(item, measure, context, true);
 }
 
+// Whether the scene lets a cable touch a component, of a robot any of its links.
+bool haveContact(const Scene& scene, std::size_t cable, std::size_t component) {
+  const std::vector<std::size_t> bodies = bodiesOf(scene, component);
+  for (std::size_t i = 0; i < scene.harness.contacts.size(); ++i) {
+    if (scene.harness.contacts[i].cable == cable &&
+        std::find(bodies.begin(), bodies.end(), scene.contact_components[i]) != bodies.end())
+      return true;
+  }
+  return false;
+}
+
+// Cables that are not named are those that have contact with the component.
+void readContactOf(const YamlCursor& item, Measure& measure, const ReadContext& context) {
+  readCables(item, measure, context);
+  const auto name = item.require("component");
+  const std::size_t component = context.components.find(*name);
+  if (component == NameTable::npos) return;
+  measure.component = component;
+  const Scene& scene = context.scene;
+  if (!scene.contacts.empty() && scene.harness.contacts.empty()) return;  // it has a fault, which is told
+  const auto apart = [&](std::size_t cable) { return !haveContact(scene, cable, component); };
+  if (!item.has("cable") && !item.has("cables")) {
+    measure.cables.erase(std::remove_if(measure.cables.begin(), measure.cables.end(), apart),
+                         measure.cables.end());
+    if (measure.cables.empty())
+      name->fail("no cable has contact with component '" + context.components.name(component) +
+                 "'; expected them in the scene's 'contact'");
+  }
+  for (const std::size_t cable : measure.cables) {
+    if (apart(cable))
+      name->fail("cable '" + context.cables.name(cable) + "' has no contact with component '" +
+                 context.components.name(component) + "'; expected both in the scene's 'contact'");
+  }
+}
+
 void readNothing(const YamlCursor&, Measure&, const ReadContext&) {}
 
 // How a measure's type is written: the keys it takes beyond those of all, and how they are read.
@@ -235,6 +270,8 @@ constexpr std::array<MeasureForm, enumeratorCount<Type>()> kForms{{
     {Type::clip_force, {"clip", "axis"}, readClipLoad},
     {Type::clip_moment, {"clip", "axis"}, readClipLoad},
     {Type::slide, {"clip"}, readSlide},
+    {Type::contact_force, {"cable", "cables", "component"}, readContactOf},
+    {Type::contact_length, {"cable", "cables", "component"}, readContactOf},
     {Type::energy, {}, readNothing},
     {Type::eigenvalue, {}, readNothing},
 }};

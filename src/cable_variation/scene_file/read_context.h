@@ -104,6 +104,7 @@ void readCables(const YamlCursor& list, ReadContext& context);
 void readClips(const YamlCursor& list, ReadContext& context);
 void readJoints(const YamlCursor& list, ReadContext& context);
 void readLoads(const YamlCursor& list, ReadContext& context);
+void readContacts(const YamlCursor& list, ReadContext& context);
 void readDesignVariables(const YamlCursor& list, ReadContext& context);
 void readToleranceRegion(const YamlCursor& item, ReadContext& context);  ///< an entry of design_variables
 void readCorrelations(const YamlCursor& list, ReadContext& context);

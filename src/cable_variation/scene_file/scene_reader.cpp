@@ -30,7 +30,8 @@ int lineOf(const std::string& message, const ReadContext& context) {
 
 void readParts(const YamlCursor& root, ReadContext& context) {
   if (!root.checkKeys({"gravity", "accuracy", "components", "materials", "cables", "clips", "joints", "loads",
-                       "design_variables", "correlations", "measures", "motions", "attachments"})) {
+                       "contact", "design_variables", "correlations", "measures", "motions",
+                       "attachments"})) {
     return;
   }
   context.scene.harness.gravity =
@@ -49,6 +50,7 @@ void readParts(const YamlCursor& root, ReadContext& context) {
   part("clips", limits.clips, readClips);
   part("joints", limits.joints, readJoints);
   part("loads", limits.loads, readLoads);
+  part("contact", limits.contact, readContacts);
   part("design_variables", limits.design_variables, readDesignVariables);
   part("correlations", limits.correlations, readCorrelations);
   part("measures", limits.measures, readMeasures);

@@ -189,6 +189,13 @@ void requireSame(const Scene& saved, const Scene& wanted) {
   count("components", saved.components.size(), wanted.components.size());
   count("cables", saved.harness.cables.size(), wanted.harness.cables.size());
   count("clips", saved.harness.clips.size(), wanted.harness.clips.size());
+  count("contacts", saved.harness.contacts.size(), wanted.harness.contacts.size());
+  for (std::size_t i = 0; i < wanted.harness.contacts.size(); ++i) {
+    const PartContact &a = saved.harness.contacts[i], &b = wanted.harness.contacts[i];
+    const std::string who = "contact with '" + b.part + "'";
+    compare.length(who + ": stand-off", a.stand_off, b.stand_off);
+    compare.length(who + ": skipped near clips", a.skip_near_clips, b.skip_near_clips);
+  }
   for (std::size_t i = 0; i < wanted.components.size(); ++i) {
     compare.pose("component '" + wanted.components[i].name + "'", saved.components[i].pose,
                  wanted.components[i].pose);

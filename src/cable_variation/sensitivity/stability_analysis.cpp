@@ -214,6 +214,7 @@ class Analysis {
 
 StabilityAnalysis analyseStability(const Scene& scene, const MeasureEvaluator& evaluator,
                                    const StabilityOptions& options, EquilibriumSolver solver) {
+  requireNoContact(scene.harness, "stability analyses");
   return Analysis(scene, options, std::move(solver)).run(evaluator);
 }
 

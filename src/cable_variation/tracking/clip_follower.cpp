@@ -160,6 +160,12 @@ class ClipFollower {
 
 FollowedClips followClips(EquilibriumSolver& solver, const Harness& from, const Equilibrium& before,
                           const Harness& to) {
+  if (!to.contacts.empty()) {  // without derivatives there is no prediction that a jump would be told by
+    FollowedClips followed;
+    followed.equilibrium = solver.update(to);
+    followed.solves = 1;
+    return followed;
+  }
   ClipFollower follower(from, to);
   if (!follower.empty()) return follower.follow(solver, before);
   FollowedClips followed;

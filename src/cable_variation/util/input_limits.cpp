@@ -21,6 +21,7 @@ const std::vector<InputLimitRow>& inputLimitRows() {
                                                {"clips", &L::clips},
                                                {"joints", &L::joints},
                                                {"loads", &L::loads},
+                                               {"contact", &L::contact},
                                                {"design_variables", &L::design_variables},
                                                {"correlations", &L::correlations},
                                                {"measures", &L::measures},

@@ -34,6 +34,7 @@ struct InputLimits {
   std::size_t clips = 5'000;
   std::size_t joints = 5'000;
   std::size_t loads = 10'000;
+  std::size_t contact = 1'000;
   std::size_t design_variables = 5'000;
   std::size_t correlations = 10'000;
   std::size_t measures = 5'000;

@@ -5,6 +5,7 @@
 
 #include <cable_variation/analysis/centreline_points.h>
 #include <cable_variation/equilibrium/bend_radius.h>
+#include <ros_interface/conversion/contact_conversion.h>
 #include <ros_interface/node/names.h>
 
 namespace cable_variation_ros {
@@ -157,6 +158,8 @@ cable_variation::SolveEquilibriumResponse toResponse(const Equilibrium& equilibr
     message.section = toPose(reaction.section);
     response.joint_reactions.push_back(message);
   }
+  response.contacts = toContacts(equilibrium, harness);
+  response.smallest_gap = equilibrium.smallest_gap;
   response.energy.elastic = equilibrium.energy.elastic;
   response.energy.gravity = equilibrium.energy.gravity;
   response.energy.springs = equilibrium.energy.springs;

@@ -5,6 +5,7 @@
 #include <cable_variation/scene/enum_names.h>
 #include <cable_variation/scene/moving_components.h>
 #include <cable_variation/scene/target_name.h>
+#include <ros_interface/conversion/contact_conversion.h>
 #include <ros_interface/conversion/measure_conversion.h>
 #include <ros_interface/conversion/message_conversion.h>
 #include <ros_interface/conversion/scene_loading.h>
@@ -166,6 +167,7 @@ GetSceneResponse toResponse(const Design& design, const ComponentPoses& moved) {
   }
   for (const Joint& joint : harness.joints) response.joints.push_back(toInfo(joint, harness));
   for (const PointLoad& load : harness.loads) response.loads.push_back(toInfo(load, harness));
+  response.contacts = contactInfos(harness);
   for (const DesignVariable& variable : scene.design_variables) {
     response.design_variables.push_back(toInfo(variable, scene));
   }

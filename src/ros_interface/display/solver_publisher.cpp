@@ -10,6 +10,7 @@
 #include <ros_interface/display/interference_publisher.h>
 #include <ros_interface/markers/cable_markers.h>
 #include <ros_interface/markers/clip_markers.h>
+#include <ros_interface/markers/contact_markers.h>
 #include <ros_interface/markers/labels.h>
 #include <ros_interface/node/names.h>
 
@@ -23,6 +24,10 @@ std::vector<std::size_t> firstNumbers(std::size_t count) {
   std::vector<std::size_t> numbers(count);
   std::iota(numbers.begin(), numbers.end(), std::size_t{0});
   return numbers;
+}
+
+void append(const visualization_msgs::MarkerArray& more, visualization_msgs::MarkerArray& markers) {
+  markers.markers.insert(markers.markers.end(), more.markers.begin(), more.markers.end());
 }
 
 }  // namespace
@@ -41,12 +46,18 @@ void SolverPublisher::publish(const SolverContext& context,
   const bool outdated = !context.equilibrium().converged();
   visualization_msgs::MarkerArray markers = cableMarkers(context.lastShape(), context.harness(), outdated);
   const visualization_msgs::MarkerArray clips = clipMarkers(context.equilibrium(), context.harness());
-  markers.markers.insert(markers.markers.end(), clips.markers.begin(), clips.markers.end());
+  const visualization_msgs::MarkerArray contacts = contactMarkers(context.equilibrium(), context.harness());
+  append(clips, markers);
+  append(contacts, markers);
   cables_.publish(markers);
-  marks_.publish(clipMarkers(context.equilibrium(), context.harness(), false));
+  visualization_msgs::MarkerArray marks = clipMarkers(context.equilibrium(), context.harness(), false);
+  append(contacts, marks);
+  marks_.publish(marks);
   const cable_variation::Scene& scene = context.design().scene;
-  interference_.showMeasures(distanceMarks(scene, firstNumbers(measured.size()), measured), clips,
-                             clipLabels(context.equilibrium(), context.harness()));
+  std::vector<cable_variation::Label> labels = clipLabels(context.equilibrium(), context.harness());
+  const std::vector<cable_variation::Label> forces = contactLabels(context.equilibrium());
+  labels.insert(labels.end(), forces.begin(), forces.end());
+  interference_.showMeasures(distanceMarks(scene, firstNumbers(measured.size()), measured), clips, labels);
   shapes_.publish(toCableShapes(context.equilibrium(), context.harness(), context.stamp()));
   const ComponentDeviations deviations =
       toMessage(componentDeviations(scene, context.design().shifted, context.moved(), context.onTf()));

@@ -50,6 +50,7 @@ constexpr char kResetDesignService[] = "reset_design";
 constexpr char kComponentMarkers[] = "component/";
 constexpr char kCableMarkers[] = "cable/";
 constexpr char kClipMarkers[] = "clip/";
+constexpr char kContactMarkers[] = "contact/";
 constexpr char kVariationMarkers[] = "variation/";
 constexpr char kVariationShapeMarkers[] = "variation_shapes/";
 constexpr char kSensitivityMarkers[] = "sensitivity/";

@@ -1,6 +1,7 @@
 #include <rviz_plugins/panel/equilibrium_page.h>
 
 #include <cmath>
+#include <utility>
 
 #include <QComboBox>
 #include <QFormLayout>
@@ -86,7 +87,12 @@ void EquilibriumPage::show(const SolveEquilibriumResponse& answer) {
   for (const auto& each : answer.joint_reactions) {
     reactions.push_back(reactionRow(each.joint, each.force, each.moment));
   }
-  reactions_->setTable({"Clip or joint", "Force [N]", "Moment [N m]", "Fx [N]", "Fy [N]", "Fz [N]"},
+  for (const auto& each : answer.contacts) {
+    std::vector<ResultCell> row = reactionRow(each.component + " on " + each.cable, each.force, {});
+    row[2] = textCell("-");  // of a stretch it would be about some point
+    reactions.push_back(std::move(row));
+  }
+  reactions_->setTable({"Clip, joint or part", "Force [N]", "Moment [N m]", "Fx [N]", "Fy [N]", "Fz [N]"},
                        std::move(reactions));
   const QStringList lines = {
       QString("Stable: smallest eigenvalue %1; energy %2")

@@ -60,8 +60,8 @@ DiscretisationError estimateDiscretisation(RodSystem& fine, RodSystem& coarse, c
   constexpr double kLargestShift = 1e-2;
   DiscretisationError error;
   // A slender rod's own section forces would be those of the little by which the grids' curves differ in
-  // length.
-  const bool slender = fine.slender();
+  // length; so would those of a rod between places where it touches.
+  const bool slender = fine.slender() || fine.contact() != nullptr;
   const RodSystem::Hessian hessian = slender ? RodSystem::Hessian::predicted : RodSystem::Hessian::exact;
   if (slender) {
     fine.holdStress();

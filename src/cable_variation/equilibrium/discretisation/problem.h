@@ -23,6 +23,7 @@ struct Problem {
       : harness(other.harness), topology(other.topology), configuration(other.configuration) {
     if (other.system) {
       setGrid(other.system->grid());
+      system->takeContacts(*other.system);
       system->evaluate(configuration, RodSystem::Hessian::exact);
       system->factorise(neutralShift(*system), system->bendingMetric());
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <cable_variation/equilibrium/discretisation/contact_system.h>
 #include <cable_variation/equilibrium/discretisation/held_piece.h>
 #include <cable_variation/equilibrium/discretisation/rod_system_impl.h>
 #include <cable_variation/math/so3.h>
@@ -63,6 +64,7 @@ RodSystem::RodSystem(const Harness& harness, const Topology& topology, const Gri
   for (std::size_t b = 0; b < batches_.size(); ++b) {
     batches_[b].lanes = static_cast<int>(std::min<std::size_t>(kLanes, elements - b * kLanes));
   }
+  if (!harness.contacts.empty()) contact_ = std::make_unique<ContactSystem>(harness, topology, grid);
   harnessChanged();
 }
 
@@ -72,6 +74,7 @@ void RodSystem::harnessChanged() {
   reach_ = 0.0;
   for (const Clip& clip : harness_.clips) reach_ = std::max(reach_, clip.pose.position.norm());
   for (SpanData& data : spans_) data.left_arc_length = data.right_arc_length = -1.0;
+  if (contact_) contact_->harnessChanged();
 }
 
 RodSystem::~RodSystem() = default;
@@ -241,6 +244,7 @@ void RodSystem::evaluate(const Configuration& configuration, Hessian hessian) {
       energy_.gravity += batch.energy.load[lane];
     }
   }
+  if (contact_) addContact(configuration, hessian != Hessian::none);
   assembleGradient(configuration);
 }
 

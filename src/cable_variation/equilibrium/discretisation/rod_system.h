@@ -27,6 +27,8 @@ struct NodalField {
   void scale(double factor);
 };
 
+class ContactSystem;
+
 /// The discretised harness: energy, its gradient, and its Hessian, factorised in
 /// time linear in the number of elements. Inner nodes of an element, then those
 /// of a span, then the stations are eliminated; L D Lᵀ without pivoting gives
@@ -67,6 +69,14 @@ class RodSystem {
 
   /// Whether an arc length is unknown.
   bool slides() const { return has_slides_; }
+
+  /// The gaps to parts, evaluated with the system; null unless the harness has contact.
+  ContactSystem* contact() { return contact_.get(); }
+  const ContactSystem* contact() const { return contact_.get(); }
+  /// The forces of contact that are known on another grid of the same harness.
+  void takeContacts(const RodSystem& from);
+  /// What presses on another grid, where it does and as stiff: ContactSystem::freeze().
+  void freezeContacts(const RodSystem& from);
 
   const EnergyTerms& energy() const { return energy_; }
   const NodalField& gradient() const { return gradient_; }
@@ -169,6 +179,7 @@ class RodSystem {
   void refreshProperties(const Configuration& configuration);
   double loadScale() const;
   void gather(const Configuration& configuration);
+  void addContact(const Configuration& configuration, bool hessian);
   void assembleGradient(const Configuration& configuration);
   double residual(std::size_t span) const;  // at its inner nodes
   void assembleStations(bool symmetric);
@@ -200,6 +211,7 @@ class RodSystem {
   std::vector<Eigen::Vector3d> dead_moment_;  // per station, in the section frame
   std::vector<std::array<Vector6d, 2>> end_force_;
   std::unique_ptr<StationSolver> stations_;
+  std::unique_ptr<ContactSystem> contact_;
   EnergyTerms energy_;
   NodalField gradient_;
   double reach_ = 0.0;  // largest distance of a clip from the origin, rounding grows with it [m]

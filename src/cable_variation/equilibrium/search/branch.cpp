@@ -2,13 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <sstream>
 #include <utility>
 
+#include <cable_variation/equilibrium/discretisation/contact_result.h>
 #include <cable_variation/equilibrium/discretisation/equilibrium_result.h>
 #include <cable_variation/equilibrium/search/smallest_eigenvalue.h>
 #include <cable_variation/equilibrium/search/start_search.h>
 #include <cable_variation/math/so3.h>
+#include <cable_variation/util/quantity.h>
 
 namespace cable_variation {
 namespace {
@@ -28,6 +32,12 @@ Harness between(const Harness& from, const Harness& to, double t) {
     pose.position = (1.0 - t) * start.position + t * pose.position;
     pose.orientation = start.orientation.slerp(t, pose.orientation);
   }
+  for (std::size_t i = 0; i < to.contacts.size(); ++i) {
+    Pose& pose = harness.contacts[i].pose;
+    const Pose& start = from.contacts[i].pose;
+    pose.position = (1.0 - t) * start.position + t * pose.position;
+    pose.orientation = start.orientation.slerp(t, pose.orientation);
+  }
   return harness;
 }
 
@@ -42,6 +52,19 @@ std::size_t elementsOf(const Grid& grid) {
   std::size_t count = 0;
   for (const auto& boundaries : grid) count += boundaries.size() - 1;
   return count;
+}
+
+// Whether the true tube is away from where it is pressed: its curve between the sections solved is not the
+// element's.
+bool pressesFromAfar(const Problem& problem, const std::vector<CableShape>& shapes) {
+  const std::vector<ContactSystem::Pressing>& pressing = problem.system->contact()->pressing();
+  return std::any_of(pressing.begin(), pressing.end(), [&](const ContactSystem::Pressing& at) {
+    const Span& span = problem.topology.spans[at.span];
+    const double left = problem.configuration.stations[span.left].arc_length;
+    const double right = problem.configuration.stations[span.right].arc_length;
+    const Eigen::Vector3d x = shapes[span.cable].position(left + at.share * (right - left));
+    return at.gap + at.direction.dot(x - at.position) > kTouching;
+  });
 }
 
 int piecesOf(double turn) { return std::max(1, static_cast<int>(std::ceil(turn / kLargestPiece))); }
@@ -59,12 +82,64 @@ Branch::Branch(const Branch& other) = default;
 // while stretch is softened.
 bool Branch::descend(bool settle, StartStress stress, Equilibrium& result, int most_iterations) {
   const int iterations = std::min(options_.max_iterations, most_iterations);
+  if (problem_.system->contact()) return descendInContact(settle, stress, iterations, result);
   const Minimum minimum = minimise(*problem_.system, problem_.configuration,
                                    {iterations, settle, stress, false, options_.descent});
   result.iterations += minimum.iterations;
   result.residual = minimum.residual;
   if (settle) unstable_ = !minimum.stable();
   return settle ? minimum.stationary() : minimum.stable();
+}
+
+// Descents with the forces of contact that are known, which then become those of the last; until no gap is
+// closed. Where the next one does not get down, about a sharp edge, one that was nearly there will do.
+bool Branch::descendInContact(bool settle, StartStress stress, int iterations, Equilibrium& result) {
+  constexpr int kRounds = 60;
+  constexpr int kPatience = 60;  // Newton steps, once one was nearly there
+  constexpr int kTurn = 100;     // Newton steps, before what presses is looked at for edges to roll over
+  constexpr double kNearly = 0.5 * kTouching;
+  RodSystem& system = *problem_.system;
+  ContactSystem& contact = *system.contact();
+  if (contact.holds()) contact.soften(1.0);
+  contact.letMove(problem_.configuration);
+  std::optional<std::pair<Configuration, ContactSystem>> nearly;
+  int left = iterations;
+  for (int round = 0; round < kRounds; ++round) {
+    const int most = std::min(left, nearly ? kPatience : kTurn);
+    const Minimum minimum =
+        minimise(system, problem_.configuration, {most, settle, stress, false, options_.descent});
+    result.iterations += minimum.iterations;
+    left -= minimum.iterations;
+    const bool found = settle ? minimum.stationary() : minimum.stable();
+    if (found) {
+      result.residual = minimum.residual;
+      if (settle) unstable_ = !minimum.stable();
+      const bool closed = contact.findMinima(problem_.configuration);
+      if (!closed && contact.worstGap() <= kGapTolerance) return true;
+      if (contact.worstGap() <= kNearly) nearly.emplace(problem_.configuration, contact);
+      left = iterations;
+    } else if (nearly) {
+      problem_.configuration = nearly->first;
+      contact.take(nearly->second);
+      system.evaluate(problem_.configuration, RodSystem::Hessian::exact);
+      return system.factorise(neutralShift(system), system.bendingMetric()) == 0;
+    } else if (minimum.end == DescentEnd::most_iterations && left > 0) {
+      contact.letMove(problem_.configuration);
+      system.holdStress();
+      stress = StartStress::held;
+      continue;
+    } else {
+      result.residual = minimum.residual;
+      return false;
+    }
+    contact.keepForces(problem_.configuration);
+    contact.soften(1.0);
+    system.holdStress();
+    stress = StartStress::held;
+  }
+  result.message = "the forces of contact did not come to rest: a gap is still closed by " +
+                   shortNumber(1e3 * contact.worstGap()) + " mm";
+  return false;
 }
 
 void Branch::dropMoments() { problem_.harness = withMoments(problem_.harness, 0.0); }
@@ -140,6 +215,7 @@ Branch::OnGrid Branch::regrid(const Grid& grid, const std::vector<CableShape>& s
   before.system->holdStress();
   problem_.setGrid(grid);
   problem_.system->takeStress(*before.system);
+  problem_.system->takeContacts(*before.system);
   problem_.configuration = onGrid(problem_.topology, before.configuration, shapes, problem_.system->grid());
   problem_.system->soften(softened_, problem_.configuration);
   problem_.coarse->soften(softened_, problem_.configuration);
@@ -150,8 +226,9 @@ Branch::OnGrid Branch::regrid(const Grid& grid, const std::vector<CableShape>& s
 // for good, so that the grid that following began with is tried again. The shape at hand must be the same
 // there.
 void Branch::returnToGrid() {
-  constexpr int kLongest = 64;         // that the finer grid is kept before the next try, in harnesses
-  constexpr double kSameShape = 10.0;  // what the shape may move by, of the accuracy
+  constexpr int kLongest = 64;             // that the finer grid is kept before the next try, in harnesses
+  constexpr double kSameShape = 10.0;      // what the shape may move by, of the accuracy
+  if (problem_.system->contact()) return;  // where it touches needs a fine grid all along
   const Grid& grid = problem_.system->grid();
   if (first_grid_.empty()) first_grid_ = grid;
   if (elementsOf(grid) <= elementsOf(first_grid_)) {
@@ -207,6 +284,17 @@ std::vector<std::vector<bool>> Branch::pairsThatMatter(const DiscretisationError
   return marked;
 }
 
+// Whether the true tubes enter no part that they have contact with, or the place is watched from now on; and
+// are where parts press them.
+bool Branch::isClear(const Equilibrium& result) {
+  if (!problem_.system->contact()) return true;
+  ContactSystem& contact = *problem_.system->contact();
+  const ExactGap exact = exactGap(problem_.harness, contact, problem_.configuration, result.shapes);
+  if (exact.gap >= -kTouching) return !pressesFromAfar(problem_, result.shapes);
+  contact.watch(problem_.harness.contacts[exact.contact].cable, exact.arc_length, problem_.configuration);
+  return false;
+}
+
 bool Branch::adaptGrid(Equilibrium& result) { return adaptGrid(options_.accuracy, true, result); }
 
 bool Branch::adaptGrid(double accuracy, bool forces, Equilibrium& result) {
@@ -223,6 +311,7 @@ bool Branch::adaptGrid(double accuracy, bool forces, Equilibrium& result) {
         describeShapes(problem_.harness, problem_.topology, *problem_.system, problem_.configuration);
     const Configuration on_coarse =
         onGrid(problem_.topology, problem_.configuration, result.shapes, problem_.coarse->grid());
+    problem_.coarse->freezeContacts(*problem_.system);
     const DiscretisationError error =
         estimateDiscretisation(*problem_.system, *problem_.coarse, on_coarse, !unstable_);
     result.discretisation_error = error.centreline;
@@ -232,7 +321,8 @@ bool Branch::adaptGrid(double accuracy, bool forces, Equilibrium& result) {
       best = excess;
       best_round = round;
     }
-    if (error.centreline <= accuracy) {
+    const bool clear = isClear(result);
+    if (error.centreline <= accuracy && clear) {
       const bool rounding = excess < kResolved && round - best_round >= kPatience;
       if (!forces || unstable_ || excess <= 1.0 || rounding || round == most_rounds) return true;
     } else if (round >= most_rounds) {
@@ -240,7 +330,7 @@ bool Branch::adaptGrid(double accuracy, bool forces, Equilibrium& result) {
     }
     before = regrid(refine(problem_.system->grid(), pairsThatMatter(error, forces)), result.shapes);
     if (descend(unstable_ || !problem_.system->conservative(), StartStress::held, result)) continue;
-    if (!(error.centreline <= accuracy)) break;
+    if (!(error.centreline <= accuracy) || !clear) break;
     restoreGrid(std::move(before));  // leaves it as good as it was
     problem_.system->evaluate(problem_.configuration, RodSystem::Hessian::none);
     return true;
@@ -279,6 +369,12 @@ void Branch::findEigenvalue(Equilibrium& result) {
     RodSystem& system = *problem_.system;
     RodSystem& coarse = *problem_.coarse;
     system.evaluate(problem_.configuration, RodSystem::Hessian::exact);
+    if (system.contact() && !system.contact()->pressing().empty()) {
+      // places that are held are not the gap's minima, which move along the cable: it would come out too
+      // small
+      result.smallest_eigenvalue = std::numeric_limits<double>::quiet_NaN();
+      return;
+    }
     result.smallest_eigenvalue = smallestEigenvalue(system, problem_.configuration);
     if (unstable_ || !system.conservative()) return;
     // it was judged stable: what is negative here is the rounding of a motion that costs no energy
@@ -335,17 +431,40 @@ void Branch::noteForces(Equilibrium& result) const {
   result.notes.push_back(text.str());
 }
 
+// Whether it is one: no tube enters a part.
+bool Branch::describeContact(Equilibrium& result) const {
+  const ContactSystem& contact = *problem_.system->contact();
+  result.contacts = describeContacts(problem_.harness, problem_.topology, contact, problem_.configuration,
+                                     options_.accuracy);
+  const ExactGap exact = exactGap(problem_.harness, contact, problem_.configuration, result.shapes);
+  result.smallest_gap = exact.gap;
+  if (exact.gap >= -kTouching) return true;
+  const PartContact& of = problem_.harness.contacts[exact.contact];
+  std::ostringstream text;
+  text << "cable '" << problem_.harness.cables[of.cable].name << "' enters part '" << of.part << "' by "
+       << -1e3 * exact.gap << " mm at " << 1e3 * exact.arc_length
+       << " mm, where it should touch it; expected a start outside, via points that lead there";
+  result.status = EquilibriumStatus::not_converged;
+  result.message = text.str();
+  result.shapes.clear();
+  result.contacts.clear();
+  return false;
+}
+
 void Branch::finish(Equilibrium& result) {
   if (lostInRounding(result)) return;
   if (options_.eigenvalue || unstable_) findEigenvalue(result);
   describe(problem_.harness, problem_.topology, *problem_.system, problem_.configuration, result);
   if (overstretched(result)) return;
+  if (problem_.system->contact() && !describeContact(result)) return;
+  if (!result.contacts.empty()) result.smallest_eigenvalue = std::numeric_limits<double>::quiet_NaN();
   result.status = EquilibriumStatus::converged;
   noteForces(result);
   if (unstable_) {
     std::ostringstream text;
-    text << "the only equilibrium found is unstable: the smallest eigenvalue is "
-         << result.smallest_eigenvalue << " N/m";
+    text << "the only equilibrium found is unstable";
+    if (result.contacts.empty())
+      text << ": the smallest eigenvalue is " << result.smallest_eigenvalue << " N/m";
     result.status = EquilibriumStatus::unstable;
     result.message = text.str();
   }
@@ -385,6 +504,39 @@ void Branch::carryTo(const Harness& harness, Topology topology) {
   problem_.coarse->harnessChanged();
 }
 
+// Pieces are halved where a cable would pass through a part.
+bool Branch::followInContact(const Harness& harness, const Topology& topology, int pieces,
+                             Equilibrium& result) {
+  constexpr double kShortest = 1.0 / 1024.0, kGrowth = 1.5;
+  const Harness origin = problem_.harness;
+  double gone = 0.0, piece = 1.0 / pieces;
+  while (gone < 1.0) {
+    const double next = gone + piece > 1.0 - 1e-9 ? 1.0 : gone + piece;
+    const Harness here = problem_.harness;
+    const Topology topology_here = problem_.topology;
+    const Configuration configuration = problem_.configuration;
+    const ContactSystem known = *problem_.system->contact();
+    carryTo(next < 1.0 ? between(origin, harness, next) : harness, topology);
+    if (problem_.system->contact()->isFree(here.contacts, configuration, problem_.configuration) &&
+        descend(false, StartStress::held, result)) {
+      gone = next;
+      piece *= kGrowth;
+      continue;
+    }
+    piece *= 0.5;
+    if (piece < kShortest) return false;
+    problem_.harness = here;
+    problem_.topology = topology_here;
+    problem_.configuration = configuration;
+    problem_.system->harnessChanged();
+    problem_.coarse->harnessChanged();
+    problem_.system->contact()->take(known);
+    problem_.system->evaluate(problem_.configuration, RodSystem::Hessian::exact);
+    problem_.system->factorise(neutralShift(*problem_.system), problem_.system->bendingMetric());
+  }
+  return true;
+}
+
 bool Branch::follow(const Harness& harness, const Topology& topology, Equilibrium& result) {
   returnToGrid();
   double turn = 0.0;
@@ -393,6 +545,8 @@ bool Branch::follow(const Harness& harness, const Topology& topology, Equilibriu
     turn = std::max(turn, from.angularDistance(harness.clips[i].pose.orientation));
   }
   const int pieces = piecesOf(turn);
+  if (problem_.system->contact())
+    return followInContact(harness, topology, pieces, result) && adaptGrid(result);
   if (pieces > 1) {
     const Harness origin = problem_.harness;
     for (int k = 1; k < pieces; ++k) {

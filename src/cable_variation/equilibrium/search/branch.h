@@ -55,6 +55,10 @@ class Branch {
  private:
   bool descend(bool settle, StartStress stress, Equilibrium& result,
                int most_iterations = std::numeric_limits<int>::max());
+  bool descendInContact(bool settle, StartStress stress, int iterations, Equilibrium& result);
+  bool isClear(const Equilibrium& result);
+  bool followInContact(const Harness& harness, const Topology& topology, int pieces, Equilibrium& result);
+  bool describeContact(Equilibrium& result) const;
   bool adaptGrid(double accuracy, bool forces, Equilibrium& result);
   void carryTo(const Harness& harness, Topology topology);
   struct OnGrid {

@@ -6,6 +6,7 @@
 
 #include <cable_variation/equilibrium/discretisation/equilibrium_result.h>
 #include <cable_variation/equilibrium/search/initial_shape.h>
+#include <cable_variation/equilibrium/search/led_out.h>
 #include <cable_variation/equilibrium/search/start_search.h>
 #include <cable_variation/equilibrium/search/twist.h>
 
@@ -198,9 +199,16 @@ class LowestShape {
 
 }  // namespace
 
+std::unique_ptr<Branch> lowestOfStarts(const Harness& harness, const EquilibriumOptions& options,
+                                       Equilibrium& result) {
+  return LowestShape(harness, options, result).find();
+}
+
 std::unique_ptr<Branch> lowestShape(const Harness& harness, const EquilibriumOptions& options,
                                     Equilibrium& result) {
-  return LowestShape(harness, options, result).find();
+  std::unique_ptr<Branch> branch = lowestOfStarts(harness, options, result);
+  if (branch || harness.contacts.empty() || result.status != EquilibriumStatus::not_converged) return branch;
+  return ledOut(harness, options, result);
 }
 
 }  // namespace cable_variation

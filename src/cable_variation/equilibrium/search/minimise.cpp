@@ -1,10 +1,12 @@
 #include <cable_variation/equilibrium/search/minimise.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <utility>
 
+#include <cable_variation/equilibrium/discretisation/contact_system.h>
 #include <cable_variation/equilibrium/search/smallest_eigenvalue.h>
 
 namespace cable_variation {
@@ -230,10 +232,14 @@ class Descent {
   bool tryStep(const StepSize& size) {
     least_damping_ = false;
     last_rotation_ = size.rotation;
-    const double limit = std::min(
+    double limit = std::min(
         1.0, std::min(options_.descent.largest_rotation / (size.rotation + 1e-300),
                       options_.descent.largest_displacement * length_ / (size.displacement + 1e-300)));
     if (limit < 1.0) step_.scale(limit);
+    if (system_.contact() && !keepOutside(limit)) {
+      raiseDamping();
+      return false;
+    }
     const double before = system_.energy().total();
     const double slope = system_.gradient().dot(step_);
     system_.predictStress(step_);
@@ -244,7 +250,8 @@ class Descent {
       return false;
     }
     const bool near = damping_ == neutral_ && size.rotation < options_.descent.reuse_below &&
-                      size.displacement < options_.descent.reuse_below * length_ && system_.keepsFactors();
+                      size.displacement < options_.descent.reuse_below * length_ && system_.keepsFactors() &&
+                      !system_.contact();
     system_.evaluate(trial_, near ? Hessian::none : Hessian::predicted);
     predicted_ = true;
     const double change = system_.energy().total() - before - work;
@@ -269,6 +276,37 @@ class Descent {
       return false;
     }
     return near && approach(size);
+  }
+
+  // Shortens the step, of which `limit` is left, to what carries no cable through a part it has contact with,
+  // and to where it has closed gaps that the step knows nothing of by no more than the step gains: the next
+  // one knows of them. Whether any of it is left.
+  bool keepOutside(double& limit) {
+    constexpr double kShortest = 1e-5;
+    constexpr double kOfGain = 0.5;
+    constexpr int kTrials = 30;
+    ContactSystem& contact = *system_.contact();
+    double share = contact.freeShare(configuration_, step_);
+    const std::array<double, 2> known = contact.energyAlong(step_);
+    const double before = system_.energy().contact, gain = -system_.gradient().dot(step_);
+    const double noise = kEnergyNoise * (std::abs(system_.energy().total()) + system_.energy().elastic);
+    NodalField part = step_;
+    for (int trial = 0; trial < kTrials && share > kShortest; ++trial) {
+      part = step_;
+      part.scale(share);
+      trial_ = configuration_;
+      system_.move(part, trial_);
+      contact.evaluate(trial_);
+      const double expected = share * (known[0] + share * known[1]);
+      const double rise = contact.energy() - before - expected;
+      const double most = kOfGain * share * std::max(gain, 0.0) + noise;
+      if (rise <= most) break;
+      // it grows with the square of the way beyond where gaps close
+      share *= std::clamp(std::sqrt(most / rise), 0.2, 0.8);
+    }
+    step_ = part;
+    limit *= share;
+    return share > kShortest;
   }
 
   // Steps with the factors at hand for as long as each is much shorter than the one before; at rest when what
@@ -322,6 +360,10 @@ class Descent {
         result_.end = DescentEnd::far_away;
         return;
       }
+      if (system_.contact() && system_.contact()->freeShare(configuration_, step_) < 1.0) {
+        result_.end = DescentEnd::far_away;
+        return;
+      }
       system_.predictStress(step_);
       predicted_ = true;
       system_.move(step_, configuration_);
@@ -347,6 +389,7 @@ class Descent {
     while (saddles_ < std::size(kPushes)) {
       NodalField push = motion;
       push.scale(kPushes[saddles_++] / std::max(size.rotation, 4.0 * size.displacement / length_));
+      if (system_.contact() && system_.contact()->freeShare(configuration_, push) < 1.0) continue;
       Configuration aside = configuration_;
       evaluateExactly();
       const double before = system_.energy().total();

@@ -4,6 +4,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include <cable_variation/equilibrium/discretisation/contact_result.h>
 #include <cable_variation/equilibrium/discretisation/equilibrium_result.h>
 #include <cable_variation/equilibrium/search/start_search.h>
 #include <cable_variation/math/so3.h>
@@ -109,6 +110,13 @@ std::unique_ptr<Branch> shapeFrom(const Harness& harness, const std::vector<Cabl
     return nullptr;
   }
   problem.configuration = onGrid(problem.topology, stations, shapes, problem.system->grid());
+  if (problem.system->contact()) {
+    if (const auto crossed = problem.system->contact()->crossed(problem.configuration)) {
+      result.status = EquilibriumStatus::not_converged;
+      result.message = "the shape to start from: " + passesThrough(problem.harness, *crossed);
+      return nullptr;
+    }
+  }
   if (!comesToRest(*branch, harness, conservative, result)) return nullptr;
   return branch;
 }

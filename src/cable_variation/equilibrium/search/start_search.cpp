@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include <cable_variation/equilibrium/discretisation/contact_result.h>
 #include <cable_variation/equilibrium/discretisation/equilibrium_result.h>
 #include <cable_variation/equilibrium/search/initial_shape.h>
 #include <cable_variation/equilibrium/search/minimise.h>
@@ -194,9 +195,22 @@ class Search {
     return candidate;
   }
 
+  // Whether a start passes through no part that its cables have contact with; nothing is known of their
+  // forces then.
+  bool isOutside(const Configuration& start) {
+    ContactSystem& contact = *problem_.system->contact();
+    contact.forget();
+    contact.soften(ContactSystem::kSoft);
+    const std::optional<std::size_t> crossed = contact.crossed(start);
+    if (!crossed) return true;
+    if (found_.failure.empty()) found_.failure = passesThrough(problem_.harness, *crossed);
+    return false;
+  }
+
   // From one start to a stationary shape.
   std::optional<Candidate> descend(Configuration start, StartStress stress) {
     RodSystem& system = *problem_.system;
+    if (system.contact() && !isOutside(start)) return std::nullopt;
     Candidate candidate;
     Configuration& configuration = candidate.shape.configuration;
     configuration = std::move(start);
