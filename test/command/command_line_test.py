@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """The program cable_variation, without a ROS master: command_line_test.py PROGRAM SOURCES"""
+import csv
 import json
 import math
 import os
@@ -29,6 +30,22 @@ design_variables:
   - {name: length, cable: main, property: length, tolerance: 3 mm, distribution: {type: uniform}}
 measures:
   - {name: bend, type: bend_radius, cable: main, lower: 40 mm}
+"""
+
+HANGING = """
+gravity: [0, 9.81, 0]
+accuracy: 0.01 mm
+cables:
+  - name: wire   # its stiffness is a guess
+    length: 1.5 m
+    stiffness: {EA: 1e4 N, GA: 1e4 N, EI: 1.2e-4 N m^2, GJ: 1.2e-4 N m^2, mass_per_length: 17.4 g/m, radius: 2 mm}
+    via: [[0.05, 0.3, 0], [-0.06, 0.65, 0], [-0.17, 0.3, 0]]
+clips:
+  - {name: a, type: fixed, cable: wire, at: start, pose: {position: [0, 0, 0]}}
+  - {name: b, type: fixed, cable: wire, at: end, pose: {position: [-123 mm, 0, 0]}}
+design_variables:
+  - {name: EI, cable: wire, property: EI, tolerance: 50 %}
+  - {name: a_rz, clip: a, rotate: z, tolerance: 20 deg}
 """
 
 # Only the program: no master, no package path, nothing of a devel space.
@@ -227,6 +244,47 @@ class CommandLineTest(unittest.TestCase):
         result = run('import', stale, '--mapping', mapping, cwd=self.folder)
         self.assertEqual((result.returncode, result.stdout), (2, ''))
         self.assertIn("did you mean 'parts'", result.stderr)
+
+    def test_export_writes_the_shape_that_solve_has(self):
+        words = (HARNESS, '--set', 'wh_start_rz=3deg')
+        shape = self.answer('solve', *words)['shapes'][0]
+        answer = self.answer('export', *words, '--cables', shape['cable'], '--formats', 'csv,vtk,dxf,stl', '--step', '5mm',
+                             '--name', 'made')
+        self.assertEqual([os.path.basename(path) for path in answer['files']],
+                         ['made.csv', 'made.vtk', 'made.dxf', 'made.stl'])
+        for path in answer['files']:
+            self.assertGreater(os.path.getsize(path), 1000)
+        with open(answer['files'][0], encoding='utf-8', newline='') as file:
+            rows = list(csv.DictReader(file))
+        end = shape['section'][-1]['position']
+        for axis in 'xyz':
+            self.assertAlmostEqual(float(rows[-1]['%s [m]' % axis]), end[axis], delta=1e-15)
+        self.assertEqual({row['cable'] for row in rows}, {shape['cable']})
+        self.assertEqual(run('export', HARNESS, '--formats', 'step', cwd=self.folder).returncode, 2)
+        self.assertEqual(run('export', HARNESS, '--cables', 'nobody', cwd=self.folder).returncode, 2)
+        self.assertEqual(run('export', HARNESS, '--step', '0mm', cwd=self.folder).returncode, 2)
+
+    def test_identify_finds_what_a_shape_was_made_with(self):
+        loop = self.scene('loop.yaml', HANGING)
+        self.answer('export', loop, '--set', 'EI=1.5e-4', 'a_rz=4deg', '--name', 'measured')
+        answer = self.answer('identify', loop, '--variables', 'EI,a_rz', '--points', 'measured.csv', '--compare',
+                             'measured.csv', '--name', 'found')
+        values = {value['variable']: value for value in answer['values']}
+        self.assertAlmostEqual(values['EI']['value'], 1.5e-4, delta=1.5e-8)
+        self.assertAlmostEqual(values['a_rz']['value'], math.radians(4), delta=1e-4)
+        self.assertTrue(values['EI']['determined'] and values['a_rz']['determined'])
+        self.assertLess(answer['compared'][0]['rms'], 2e-5)
+        # the scene that it writes hangs as the wire did
+        before, after = (self.answer('solve', *words)['shapes'][0]['centreline'] for words in (
+            (loop, '--set', 'EI=1.5e-4', 'a_rz=4deg'), (answer['scene_file'],)))
+        for one, other in zip(before, after):
+            self.assertLess(math.dist(one.values(), other.values()), 1e-4)
+        for words in (('--points', 'measured.csv'), ('--variables', 'EI'),
+                      ('--variables', 'EI', '--points', 'nowhere.csv'),
+                      ('--variables', 'nobody', '--points', 'measured.csv'),
+                      ('--variables', 'EI,EI', '--points', 'measured.csv')):
+            result = run('identify', loop, *words, cwd=self.folder)
+            self.assertEqual(result.returncode, 2, (words, result.stderr))
 
     def test_no_equilibrium_is_1(self):
         scene = self.scene('apart.yaml', OUT_OF_REACH)
