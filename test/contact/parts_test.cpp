@@ -135,6 +135,24 @@ TEST(Parts, AClipInsideAPartIsNamed) {
   EXPECT_TRUE(skipped.converged()) << skipped.message;
 }
 
+TEST(Parts, ARadiusThatChangesIsRefusedWhereTheCableSlides) {
+  Harness harness = clamped(uniformCable(0.5, soft()), poseAt(0.4, 0.0, 0.05));
+  harness.contacts = {contactWith("table", rectangle(Vector2d(-0.5, -0.5), Vector2d(1.0, 0.5)))};
+  Section thicker = soft();
+  thicker.radius = 2.0 * kRadius;
+  harness.cables[0].sections.push_back({0.5, thicker});
+  harness.clips[0].pose = poseAt(0.0, 0.0, 0.05);
+  EXPECT_NO_THROW(validate(harness));
+  harness.clips.push_back(clipOn(0, "ring", 0.25, slidingClip(), poseAt(0.2, 0.0, 0.05)));
+  try {
+    EquilibriumSolver().solve(harness);
+    ADD_FAILURE() << "not refused";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("slides through clip 'ring'"), std::string::npos)
+        << error.what();
+  }
+}
+
 // Random cables over planes and boxes, some standing at an angle.
 TEST(Parts, RandomFamily) {
   std::mt19937 random(14);

@@ -225,6 +225,7 @@ bool haveContact(const Scene& scene, std::size_t cable, std::size_t component) {
 void readContactOf(const YamlCursor& item, Measure& measure, const ReadContext& context) {
   readCables(item, measure, context);
   const auto name = item.require("component");
+  if (!name) return;
   const std::size_t component = context.components.find(*name);
   if (component == NameTable::npos) return;
   measure.component = component;
