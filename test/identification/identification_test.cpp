@@ -30,10 +30,10 @@ std::vector<std::size_t> variablesOf(const Scene& scene, const std::vector<std::
   return variables;
 }
 
-/// Points on the wire of a design at uneven places, solved a hundred times finer than it is identified.
+/// Points on the wire of a design at uneven places, solved more finely than it is identified.
 MeasuredShape shapeOf(const Scene& scene, const DesignValues& values, std::size_t count = 40) {
   EquilibriumOptions options;
-  options.accuracy = 1e-7;
+  options.accuracy = 1e-8;
   EquilibriumSolver solver(options);
   const Equilibrium equilibrium = solver.solve(harnessAt(scene, values));
   EXPECT_TRUE(equilibrium.converged()) << equilibrium.message;
@@ -54,7 +54,7 @@ TEST(identification, finds_what_exact_shapes_were_made_with) {
     return std::uniform_real_distribution<double>(low, high)(generator);
   };
   Scene scene = hangingLoop({}, true);
-  scene.accuracy = 1e-6;
+  scene.accuracy = 1e-7;
   for (int i = 0; i < 8; ++i) {
     const DesignValues truth{{"EI", between(0.5e-4, 3e-4)},
                              {"curl", between(-4.0, 4.0)},
@@ -68,7 +68,7 @@ TEST(identification, finds_what_exact_shapes_were_made_with) {
     for (std::size_t k = 0; k < task.variables.size(); ++k) {
       const std::string& name = scene.design_variables[task.variables[k]].name;
       const double size = name == "EI" ? truth.at(name) : 1.0;
-      EXPECT_NEAR(found.values[k], truth.at(name), 1e-5 * size) << i << " " << name;
+      EXPECT_NEAR(found.values[k], truth.at(name), 1e-6 * size) << i << " " << name;
       EXPECT_TRUE(found.determined[k]) << i << " " << name;
     }
     EXPECT_LT(found.fits[0].largest, 2e-6) << i;
@@ -78,7 +78,7 @@ TEST(identification, finds_what_exact_shapes_were_made_with) {
 // Two shapes with the second clamp in known places; a wire is as stiff as it hangs in both.
 TEST(identification, takes_several_shapes_with_what_is_known_of_each) {
   Scene scene = hangingLoop({});
-  scene.accuracy = 1e-6;
+  scene.accuracy = 1e-7;
   IdentificationTask task;
   task.variables = variablesOf(scene, {"EI", "a_rz"});
   for (const double x : {-0.02, 0.025}) {
