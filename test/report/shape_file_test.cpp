@@ -1,6 +1,8 @@
 // Solved cables as files for other programs, read back.
 #include <cable_variation/report/shape_file/shape_file.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <map>
 #include <sstream>
@@ -93,6 +95,30 @@ TEST(shape_file, csv_has_the_shape_and_what_acts_in_it) {
   // at the ends the clips' reactions: of the part s+ on the part s-
   EXPECT_LT((vectorAt(of.front(), 8) + strands.equilibrium.clip_reactions[2].force).norm(), 1e-6);
   EXPECT_LT((vectorAt(of.back(), 8) - strands.equilibrium.clip_reactions[3].force).norm(), 1e-6);
+}
+
+// Between the sections solved it is not known what presses.
+TEST(shape_file, forces_of_a_cable_that_touches_are_those_at_solved_sections) {
+  Strands strands;
+  strands.equilibrium.contacts.emplace_back();
+  strands.equilibrium.contacts.back().cable = 1;
+  const auto rows = readCsv(shapeCsv(strands.solved(), {0, 1}, 1e-3));
+  std::size_t known = 0, unknown = 0;
+  for (const Row& row : rows.at("\"other, \"\"thick\"\"\"")) {
+    const auto& points = strands.equilibrium.shapes[1].points;
+    const bool solved = std::any_of(points.begin(), points.end(), [&](const ShapePoint& point) {
+      return std::abs(point.arc_length - row[0]) < 1e-12;
+    });
+    EXPECT_EQ(std::isnan(row[8]), !solved) << row[0];
+    EXPECT_FALSE(std::isnan(row[1]));
+    (solved ? known : unknown) += 1;
+  }
+  EXPECT_GT(known, 5U);
+  EXPECT_GT(unknown, known);
+  for (const auto& [cable, of] : rows) {
+    if (cable.find("other") != std::string::npos) continue;
+    for (const Row& row : of) EXPECT_FALSE(std::isnan(row[8]));
+  }
 }
 
 TEST(shape_file, vtk_has_a_line_per_cable_and_as_many_values_as_points) {

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include <cable_variation/measures/section_loads.h>
+#include <cable_variation/report/cable_profile.h>
 #include <cable_variation/util/quantity.h>
 
 namespace cable_variation {
@@ -29,6 +30,7 @@ std::vector<CablePoint> cablePoints(const SolvedScene& solved, std::size_t cable
   checkStep(of, step);
   const CableShape& shape = solved.equilibrium.shapes[cable];
   const CableView view(of, shape);
+  const bool touches = touchesPart(solved.equilibrium, cable);
   std::vector<CablePoint> points;
   for (std::size_t i = 0; i < view.pieces().size(); ++i) {
     const CableView::Piece& piece = view.pieces()[i];
@@ -45,8 +47,10 @@ std::vector<CablePoint> cablePoints(const SolvedScene& solved, std::size_t cable
                                 : Pose{curve.position(t), shape.pose(point.arc_length).orientation};
       point.radius = view.line().radius({i, t});
       point.curvature = curve.curvature(t);
-      point.force = point.pose.orientation * loads.force(t);
-      point.moment = point.pose.orientation * loads.moment(t);
+      if (!touches || k == 0 || k == parts) {
+        point.force = point.pose.orientation * loads.force(t);
+        point.moment = point.pose.orientation * loads.moment(t);
+      }
       points.push_back(point);
     }
   }

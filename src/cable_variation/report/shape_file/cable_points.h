@@ -1,6 +1,7 @@
 #pragma once  // internal to report/
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include <cable_variation/measures/measure_evaluation.h>
@@ -13,8 +14,9 @@ struct CablePoint {
   Pose pose;                ///< section frame in the world, x the director normal to the section
   double radius = 0.0;      ///< [m]
   double curvature = 0.0;   ///< of the centreline [1/m]
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< of the part s+ on the part s- [N], world
-  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< likewise [N m], world
+  /// Of the part s+ on the part s- [N], world; not a number where it is not known.
+  Eigen::Vector3d force = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  Eigen::Vector3d moment = force;  ///< likewise [N m], world
 };
 
 /// Throws std::invalid_argument: a step that is not above 0, or so short that the cable would have more than
@@ -23,7 +25,7 @@ void checkStep(const Cable& cable, double step);
 
 /// Along a cable (index), no further apart than `step` [m]: at all sections that were solved, and at equal
 /// steps between two of them. Where a clip, a joint or a load acts, two points share the arc length: force
-/// and moment jump there.
+/// and moment jump there. Of a cable that touches a part they are known at the sections solved only.
 /// Throws as checkStep().
 std::vector<CablePoint> cablePoints(const SolvedScene& solved, std::size_t cable, double step);
 
