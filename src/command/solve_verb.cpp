@@ -1,3 +1,4 @@
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -31,9 +32,11 @@ using cable_variation::SolvedScene;
 namespace {
 
 std::string figuresText(const Equilibrium& found) {
-  std::string text =
-      "smallest eigenvalue " + numberText(found.smallest_eigenvalue, 4) +
-      " N/m (above 0: stable); other stable shapes found: " + std::to_string(found.alternatives.size());
+  const std::string eigenvalue =
+      std::isnan(found.smallest_eigenvalue)
+          ? "stable; the smallest eigenvalue is not known where cables touch parts"
+          : "smallest eigenvalue " + numberText(found.smallest_eigenvalue, 4) + " N/m (above 0: stable)";
+  std::string text = eigenvalue + "; other stable shapes found: " + std::to_string(found.alternatives.size());
   text += "\n" + std::to_string(found.iterations) + " iterations, residual " + numberText(found.residual, 2) +
           " N, estimated error " + numberText(1e3 * found.discretisation_error, 2) + " mm, solved in " +
           numberText(1e3 * found.solve_time, 3) + " ms\n";

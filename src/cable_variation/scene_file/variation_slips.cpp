@@ -33,8 +33,8 @@ class ReferenceOf {
     return cable(scene_.harness.joints[target.joint].parent);
   }
   Reference operator()(const CableProperty&) const {
-    return {"on a nominal value of " + shortNumber(variable_.nominal) + " " + variable_.unit,
-            variable_.nominal};
+    const std::string unit = variable_.unit == "1" ? "" : " " + variable_.unit;
+    return {"on a nominal value of " + shortNumber(variable_.nominal) + unit, variable_.nominal};
   }
   Reference operator()(const ComponentTranslation& target) const { return component(target.component); }
   Reference operator()(const LocatorDeviation& target) const { return component(target.component); }

@@ -44,7 +44,7 @@ std::string YamlCursor::found() const {
 }
 
 std::string YamlCursor::foundAs(double value, const std::string& unit) const {
-  const std::string is = shortNumber(value) + " " + unit;
+  const std::string is = shortNumber(value) + (unit == "1" ? "" : " " + unit);
   return node_.IsScalar() && node_.Scalar() == is ? found() : found() + ", which is " + is;
 }
 
