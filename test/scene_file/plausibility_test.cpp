@@ -118,7 +118,7 @@ TEST(Plausibility, slipsAreTold) {
       {sceneWith(kCable, {"design_variables:", "  - {name: x, clip: first, translate: x, tolerance: 2}"}),
        {"7: design variable 'x', tolerance: found '2', which is 2 m, on cable 'main' of 0.3 m; in mm?"}},
       {sceneWith(kCable, {"design_variables:", "  - {name: x, clip: first, translate: x, tolerance: 2 m}"}),
-       {"7: design variable 'x', tolerance: found '2 m', which is 2 m, on cable 'main' of 0.3 m; is that "
+       {"7: design variable 'x', tolerance: found '2 m', on cable 'main' of 0.3 m; is that "
         "meant?"}},
       {sceneWith(kCable, {"design_variables:", "  - {name: a, clip: first, rotate: x, tolerance: [0, 5]}"}),
        {"7: design variable 'a', tolerance[1]: found '5', which is 5 rad or 286.479 deg either way; in "
