@@ -65,6 +65,7 @@ void StateFile::restore(SolverContext& context) {
     ours = text.compare(0, sizeof kTitle, std::string(kTitle) + "\n") == 0;
     if (!ours) throw std::invalid_argument("it is no state of a cable_solver");
     restoreFrom(text.erase(0, sizeof kTitle), context);
+    written_ = context.designNumber();  // the file has it: the first edit need not wait for its turn
     ROS_INFO("the design is the one in force before, from '%s'; ~reset_design has the scene's",
              path_.c_str());
     return;
