@@ -74,6 +74,8 @@ class ExportVerb : public Verb {
         motion_.empty() ? ComponentPoses() : placesDuring(design.design(), motion_, time_);
     const cable_variation::OutputDirectory output = files_.output();
     output.requireWritable();
+    for (const Format* format : formats)
+      keepInputs({scene.source}, output.pathOf(name_, "." + std::string(format->extension)));
     control.report({"solving"});
     const DesignTrial trial = solveTrial(design.design(), values, moved, nullptr);
     const SolvedScene solved{trial.harness, trial.equilibrium, trial.components};

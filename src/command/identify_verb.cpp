@@ -129,7 +129,12 @@ class IdentifyVerb : public Verb {
     const std::vector<MeasuredShape> others = shapesOf(compared_, scene, known);
     task.check = [&control] { control.throwIfCancelled(); };
     const cable_variation::OutputDirectory output = files_.output();
-    if (!name_.empty()) output.requireWritable();
+    if (!name_.empty()) {
+      output.requireWritable();
+      std::vector<std::string> read{scene.source};
+      for (const auto& files : {points_, compared_}) read.insert(read.end(), files.begin(), files.end());
+      for (const char* extension : {".yaml", ".csv"}) keepInputs(read, output.pathOf(name_, extension));
+    }
 
     control.report({"fitting"});
     const Identification found = identify(scene, task);

@@ -7,6 +7,7 @@
 #include <cable_variation/util/error.h>
 #include <cable_variation/util/output_file.h>
 #include <command/scene_json.h>
+#include <command/scene_options.h>
 #include <command/text_table.h>
 #include <command/verb.h>
 
@@ -49,6 +50,7 @@ class ImportVerb : public Verb {
   }
 
   Answer run(cable_variation::RunControl& control) override {
+    if (!output_.empty()) keepInputs({file_, mapping_}, output_);
     ImportMapping mapping;
     if (!mapping_.empty()) mapping = cable_variation::readImportMapping(mapping_);
     chooseRestShape(mapping);

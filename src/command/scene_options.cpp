@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 #include <stdexcept>
+#include <system_error>
 
 #include <cable_variation/analysis/name_lookup.h>
 #include <cable_variation/analysis/scene_loading.h>
@@ -69,6 +70,15 @@ void FileOptions::declare(Options& options) {
 cable_variation::OutputDirectory FileOptions::output() const {
   return cable_variation::OutputDirectory(output_directory.empty() ? std::filesystem::current_path().string()
                                                                    : output_directory);
+}
+
+void keepInputs(const std::vector<std::string>& inputs, const std::string& output) {
+  for (const std::string& input : inputs) {
+    std::error_code none;
+    if (std::filesystem::equivalent(input, output, none))
+      throw UsageError("'" + output +
+                       "' is read, and would be written over; expected another name for the output");
+  }
 }
 
 void LimitOptions::declare(Options& options) {

@@ -35,6 +35,9 @@ struct FileOptions {
   cable_variation::OutputDirectory output() const;
 };
 
+/// Throws UsageError if a file that would be written is one of those that are read.
+void keepInputs(const std::vector<std::string>& inputs, const std::string& output);
+
 /// What a calculation may use, likewise.
 struct LimitOptions {
   std::uint64_t threads = 0;

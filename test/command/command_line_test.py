@@ -279,6 +279,15 @@ class CommandLineTest(unittest.TestCase):
             (loop, '--set', 'EI=1.5e-4', 'a_rz=4deg'), (answer['scene_file'],)))
         for one, other in zip(before, after):
             self.assertLess(math.dist(one.values(), other.values()), 1e-4)
+        # what is read is not written over
+        for name in ('measured', 'loop'):
+            result = run('identify', loop, '--variables', 'EI', '--points', 'measured.csv', '--name', name, cwd=self.folder)
+            self.assertEqual(result.returncode, 2, result.stderr)
+            self.assertIn('would be written over', result.stderr)
+        with open(os.path.join(self.folder, 'measured.csv'), encoding='utf-8') as file:
+            self.assertTrue(file.readline().startswith('cable,arc length'))
+        with open(loop, encoding='utf-8') as file:
+            self.assertEqual(file.read(), HANGING)
         for words in (('--points', 'measured.csv'), ('--variables', 'EI'),
                       ('--variables', 'EI', '--points', 'nowhere.csv'),
                       ('--variables', 'nobody', '--points', 'measured.csv'),
