@@ -57,6 +57,8 @@ class ExportVerb : public Verb {
   }
 
   Answer run(cable_variation::RunControl& control) override {
+    if (motion_.empty() && time_ != 0.0)
+      throw UsageError("--time: is given without --motion, whose time it is");
     std::vector<const Format*> formats;
     for (const std::string& name : formats_) formats.push_back(&formatOf(name));
     cable_variation::OutputDirectory::checkName(name_);

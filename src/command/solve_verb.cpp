@@ -69,6 +69,8 @@ class SolveVerb : public Verb {
   }
 
   Answer run(cable_variation::RunControl& control) override {
+    if (request_.motion.empty() && request_.time != 0.0)
+      throw UsageError("--time: is given without --motion, whose time it is");
     if (!request_.report.empty()) cable_variation::OutputDirectory::checkName(request_.report);
     LoadedDesign design(scene_.load(control), files_.author);
     const Scene& scene = design.scene();

@@ -260,6 +260,10 @@ class CommandLineTest(unittest.TestCase):
         for axis in 'xyz':
             self.assertAlmostEqual(float(rows[-1]['%s [m]' % axis]), end[axis], delta=1e-15)
         self.assertEqual({row['cable'] for row in rows}, {shape['cable']})
+        for verb in ('solve', 'export'):
+            result = run(verb, HARNESS, '--time', '1', cwd=self.folder)
+            self.assertEqual(result.returncode, 2)
+            self.assertIn('--time: is given without --motion', result.stderr)
         self.assertEqual(run('export', HARNESS, '--formats', 'step', cwd=self.folder).returncode, 2)
         self.assertEqual(run('export', HARNESS, '--cables', 'nobody', cwd=self.folder).returncode, 2)
         self.assertEqual(run('export', HARNESS, '--step', '0mm', cwd=self.folder).returncode, 2)
