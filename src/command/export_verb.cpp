@@ -82,6 +82,7 @@ class ExportVerb : public Verb {
     const DesignTrial trial = solveTrial(design.design(), values, moved, nullptr);
     const SolvedScene solved{trial.harness, trial.equilibrium, trial.components};
     std::vector<std::string> contents;
+    contents.reserve(formats.size());
     for (const Format* format : formats) contents.push_back(format->content(solved, cables, step_));
     control.complete();
 

@@ -180,6 +180,7 @@ class IdentifyVerb : public Verb {
       throw UsageError("--cable: none is given, and the scene has " + std::to_string(cables.size()));
     const std::size_t cable = cable_.empty() ? 0 : cable_variation::indexOf(cable_, cables, "cable");
     std::vector<MeasuredShape> shapes;
+    shapes.reserve(files.size());
     for (const std::string& file : files)
       shapes.push_back({file, cable, cable_variation::readMeasuredPoints(file), known});
     return shapes;
