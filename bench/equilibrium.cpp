@@ -186,11 +186,8 @@ Harness manyCables(int cables) {
   return harness;
 }
 
-void solveManyCables(benchmark::State& state) {
-  const Harness harness = manyCables(static_cast<int>(state.range(0)));
-  EquilibriumOptions o;
-  o.eigenvalue = false;
-  EquilibriumSolver solver(o);
+void solveFromNothing(benchmark::State& state, const Harness& harness, const EquilibriumOptions& with) {
+  EquilibriumSolver solver(with);
   Equilibrium result;
   for (auto _ : state) {
     result = solver.solve(harness);
@@ -198,6 +195,13 @@ void solveManyCables(benchmark::State& state) {
   }
   requireConverged(result);
   state.counters["steps"] = result.iterations;
+}
+
+void solveManyCables(benchmark::State& state) {
+  const Harness harness = manyCables(static_cast<int>(state.range(0)));
+  EquilibriumOptions o;
+  o.eigenvalue = false;
+  solveFromNothing(state, harness, o);
 }
 
 // A cable of 500 mm that is held at both ends and hangs down to a table of 20,000 triangles, where its end is
@@ -215,15 +219,7 @@ Harness overTable(bool touching) {
 }
 
 void hangCold(benchmark::State& state, bool touching) {
-  const Harness harness = overTable(touching);
-  EquilibriumSolver solver(options(true));
-  Equilibrium result;
-  for (auto _ : state) {
-    result = solver.solve(harness);
-    benchmark::DoNotOptimize(result);
-  }
-  requireConverged(result);
-  state.counters["steps"] = result.iterations;
+  solveFromNothing(state, overTable(touching), options(true));
 }
 
 void hangWarm(benchmark::State& state, bool touching) {

@@ -4,12 +4,10 @@
 
 #include <cable_variation/analysis/answer_files.h>
 #include <cable_variation/analysis/design_trial.h>
-#include <cable_variation/analysis/design_values.h>
 #include <cable_variation/analysis/name_lookup.h>
 #include <cable_variation/analysis/scene_loading.h>
 #include <cable_variation/report/shape_file/shape_file.h>
 #include <cable_variation/util/chosen_indices.h>
-#include <command/loaded_design.h>
 #include <command/scene_options.h>
 #include <command/verb.h>
 
@@ -46,8 +44,7 @@ class ExportVerb : public Verb {
   void declare(Options& options) override {
     scene_.declare(options);
     values_.declare("variables", "values", options);
-    options.text("motion", "NAME", motion_, "components at this motion's pose at --time");
-    options.number("time", "TIME", "s", time_, "of the motion");
+    declareMotion(motion_, time_, options);
     options.texts("cables", "NAME", cables_, "default: all of the scene");
     options.texts("formats", "NAME", formats_,
                   "csv, vtk (ParaView), dxf (a curve for CAD), stl; default: csv");
@@ -57,29 +54,23 @@ class ExportVerb : public Verb {
   }
 
   Answer run(cable_variation::RunControl& control) override {
-    if (motion_.empty() && time_ != 0.0)
-      throw UsageError("--time: is given without --motion, whose time it is");
     std::vector<const Format*> formats;
     for (const std::string& name : formats_) formats.push_back(&formatOf(name));
     cable_variation::OutputDirectory::checkName(name_);
-    LoadedDesign design(scene_.load(control), files_.author);
-    const Scene& scene = design.scene();
+    const cable_variation::Design design{scene_.load(control), {}, {}};
+    const Scene& scene = design.scene;
     std::vector<std::size_t> cables;
     for (const std::string& name : cables_)
       cables.push_back(cable_variation::indexOf(name, scene.harness.cables, "cable"));
     if (cables.empty()) cables = cable_variation::allIndices(scene.harness.cables.size());
-    std::vector<std::string> names;
-    std::vector<double> given;
-    values_.resolve(scene, names, given);
-    const DesignValues values = toDesignValues(scene, names, given);
-    const ComponentPoses moved =
-        motion_.empty() ? ComponentPoses() : placesDuring(design.design(), motion_, time_);
+    const DesignValues values = values_.values(scene);
+    const ComponentPoses moved = placesAt(design, motion_, time_);
     const cable_variation::OutputDirectory output = files_.output();
     output.requireWritable();
     for (const Format* format : formats)
       keepInputs({scene.source}, output.pathOf(name_, "." + std::string(format->extension)));
     control.report({"solving"});
-    const DesignTrial trial = solveTrial(design.design(), values, moved, nullptr);
+    const DesignTrial trial = solveTrial(design, values, moved, nullptr);
     const SolvedScene solved{trial.harness, trial.equilibrium, trial.components};
     std::vector<std::string> contents;
     contents.reserve(formats.size());

@@ -2,7 +2,6 @@
 #include <utility>
 
 #include <cable_variation/analysis/answer_files.h>
-#include <cable_variation/analysis/design_values.h>
 #include <cable_variation/analysis/name_lookup.h>
 #include <cable_variation/analysis/scene_loading.h>
 #include <cable_variation/identification/identification.h>
@@ -118,10 +117,7 @@ class IdentifyVerb : public Verb {
     if (points_.empty()) throw UsageError("--points: none is given, expected one file of points or more");
     if (!name_.empty()) cable_variation::OutputDirectory::checkName(name_);
     const Scene scene = scene_.load(control);
-    std::vector<std::string> names;
-    std::vector<double> given;
-    values_.resolve(scene, names, given);
-    const DesignValues known = toDesignValues(scene, names, given);
+    const DesignValues known = values_.values(scene);
     IdentificationTask task;
     for (const std::string& name : unknowns_)
       task.variables.push_back(cable_variation::indexOf(name, scene.design_variables, "design variable"));

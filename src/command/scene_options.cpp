@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include <cable_variation/analysis/design_trial.h>
+#include <cable_variation/analysis/design_values.h>
 #include <cable_variation/analysis/name_lookup.h>
 #include <cable_variation/analysis/scene_loading.h>
 #include <cable_variation/scene/package_finder.h>
@@ -86,12 +88,31 @@ void LimitOptions::declare(Options& options) {
   options.number("memory_limit", "BYTES", "", memory_limit, "that the calculation may take; default: 2e9");
 }
 
+void declareMotion(std::string& motion, double& time, Options& options) {
+  options.text("motion", "NAME", motion, "components at this motion's pose at --time");
+  options.number("time", "TIME", "s", time, "of the motion");
+}
+
+cable_variation::ComponentPoses placesAt(const cable_variation::Design& design, const std::string& motion,
+                                         double time) {
+  if (!motion.empty()) return placesDuring(design, motion, time);
+  if (time != 0.0) throw UsageError("--time: is given without --motion, whose time it is");
+  return {};
+}
+
 void ValueOptions::declare(const char* names, const char* values, Options& options) {
   names_option_ = names;
   values_option_ = values;
   options.texts(names, "NAME", names_, "design variables off their nominal values");
   options.texts(values, "VALUE", values_, "one each, SI or with a unit, as 5deg");
   options.texts("set", "NAME=VALUE", pairs_, "both in one");
+}
+
+cable_variation::DesignValues ValueOptions::values(const Scene& scene) const {
+  std::vector<std::string> names;
+  std::vector<double> given;
+  resolve(scene, names, given);
+  return toDesignValues(scene, names, given);
 }
 
 void ValueOptions::resolve(const Scene& scene, std::vector<std::string>& names,

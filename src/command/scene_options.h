@@ -6,7 +6,7 @@
 
 #include <cable_variation/analysis/output_directory.h>
 #include <cable_variation/analysis/run_control.h>
-#include <cable_variation/scene/scene.h>
+#include <cable_variation/scene/design.h>
 #include <command/options.h>
 
 namespace cable_variation_command {
@@ -57,10 +57,19 @@ class ValueOptions {
   /// another.
   void resolve(const cable_variation::Scene& scene, std::vector<std::string>& names,
                std::vector<double>& values) const;
+  /// Likewise, as the core takes them.
+  cable_variation::DesignValues values(const cable_variation::Scene& scene) const;
 
  private:
   std::vector<std::string> names_, values_, pairs_;
   std::string names_option_, values_option_;
 };
+
+/// A recorded motion that has its component somewhere at a time.
+void declareMotion(std::string& motion, double& time, Options& options);
+/// Where that is; nowhere else without a motion. Throws as cable_variation::placesDuring(), and UsageError
+/// for a time without a motion.
+cable_variation::ComponentPoses placesAt(const cable_variation::Design& design, const std::string& motion,
+                                         double time);
 
 }  // namespace cable_variation_command

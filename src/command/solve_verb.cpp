@@ -60,8 +60,7 @@ class SolveVerb : public Verb {
   void declare(Options& options) override {
     scene_.declare(options);
     values_.declare("variables", "values", options);
-    options.text("motion", "NAME", request_.motion, "components at this motion's pose at --time");
-    options.number("time", "TIME", "s", request_.time, "of the motion");
+    declareMotion(request_.motion, request_.time, options);
     options.flag("follow", request_.follow,
                  "follow the design's own shape to the values, do not look for the lowest");
     options.text("report", "NAME", request_.report, "write NAME.html");
@@ -69,16 +68,12 @@ class SolveVerb : public Verb {
   }
 
   Answer run(cable_variation::RunControl& control) override {
-    if (request_.motion.empty() && request_.time != 0.0)
-      throw UsageError("--time: is given without --motion, whose time it is");
     if (!request_.report.empty()) cable_variation::OutputDirectory::checkName(request_.report);
     LoadedDesign design(scene_.load(control), files_.author);
     const Scene& scene = design.scene();
     values_.resolve(scene, request_.variables, request_.values);
     const DesignValues values = toDesignValues(scene, request_.variables, request_.values);
-    const ComponentPoses moved = request_.motion.empty()
-                                     ? ComponentPoses()
-                                     : placesDuring(design.design(), request_.motion, request_.time);
+    const ComponentPoses moved = placesAt(design.design(), request_.motion, request_.time);
     control.report({"solving"});
     const DesignTrial trial =
         solveTrial(design.design(), values, moved, request_.follow ? &design.solver() : nullptr);

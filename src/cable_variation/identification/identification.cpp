@@ -283,10 +283,9 @@ Identification fitAll(const Scene& scene, const IdentificationTask& task) {
 
 /// Of fitAll() for some of the unknowns, as of all: the others are held at their nominal values.
 Identification widened(const Scene& scene, const IdentificationTask& task,
-                       const std::vector<std::size_t>& fitted, Identification found) {
+                       const std::vector<std::size_t>& fitted, const Identification& found) {
   const auto count = static_cast<Eigen::Index>(task.variables.size());
-  Identification all = std::move(found);
-  const Identification of = all;
+  Identification all = found;
   all.values.clear();
   all.deviations = Eigen::VectorXd::Constant(count, std::numeric_limits<double>::infinity());
   all.correlation = Eigen::MatrixXd::Identity(count, count);
@@ -296,12 +295,12 @@ Identification widened(const Scene& scene, const IdentificationTask& task,
   for (std::size_t i = 0; i < fitted.size(); ++i) {
     const auto own = static_cast<Eigen::Index>(i), whole = static_cast<Eigen::Index>(fitted[i]);
     const double width = Unknown(scene.design_variables[task.variables[fitted[i]]]).width();
-    all.values[fitted[i]] = of.values[i];
+    all.values[fitted[i]] = found.values[i];
     all.determined[fitted[i]] = true;
-    all.deviations[whole] = width * of.deviations[own];
+    all.deviations[whole] = width * found.deviations[own];
     for (std::size_t j = 0; j < fitted.size(); ++j)
       all.correlation(whole, static_cast<Eigen::Index>(fitted[j])) =
-          of.correlation(own, static_cast<Eigen::Index>(j));
+          found.correlation(own, static_cast<Eigen::Index>(j));
   }
   return all;
 }
@@ -319,14 +318,14 @@ Identification identify(const Scene& scene, const IdentificationTask& task) {
     Identification found = fitAll(scene, part);
     found.solves = solves += found.solves;
     Eigen::Index worst = 0;
-    if (found.deviations.maxCoeff(&worst) < 1.0) return widened(scene, task, fitted, std::move(found));
+    if (found.deviations.maxCoeff(&worst) < 1.0) return widened(scene, task, fitted, found);
     fitted.erase(fitted.begin() + worst);
   }
   Identification none;
   none.fits = compare(scene, {}, task.shapes);
   none.solves = solves;
   none.converged = true;
-  return widened(scene, task, {}, std::move(none));
+  return widened(scene, task, {}, none);
 }
 
 std::vector<ShapeFit> compare(const Scene& scene, const DesignValues& values,
