@@ -117,6 +117,7 @@ void compare(const Harness& harness, const std::string& name, Tally& tally) {
   ASSERT_TRUE(nominal) << name;
   const std::vector<NamedRate> named = ratesFor();
   std::vector<HarnessRate> variables;
+  variables.reserve(named.size());
   for (const NamedRate& each : named) variables.push_back(each.rate);
   const std::vector<EquilibriumRate> rates = solver.differentiate(variables);
   for (std::size_t j = 0; j < named.size(); ++j) {
