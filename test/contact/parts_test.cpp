@@ -190,8 +190,8 @@ TEST(Parts, RandomFamily) {
       }
     }
     expectBalance(harness, result, 1e-4);
-    EXPECT_EQ(std::isnan(result.smallest_eigenvalue), !result.contacts.empty());
     EXPECT_FALSE(result.smallest_eigenvalue <= 0.0);
+    EXPECT_FALSE(result.contacts.empty() && std::isnan(result.smallest_eigenvalue));
   }
   EXPECT_GT(touching_planes, kCases / 4);
   EXPECT_GT(touching_boxes, kCases / 4);

@@ -31,7 +31,8 @@ class PartSurface : public ContactSurface {
     std::vector<SkippedStretch> stretches;
     stretches.reserve(skipped.size());
     for (const CableStretch& stretch : skipped) stretches.push_back({stretch.start, stretch.end});
-    const std::optional<ClosestPair> closest = cable_variation::distance(line, *part_, pose, stretches);
+    // what is all but as near elsewhere, as all along a stretch that lies flat, is not asked for
+    const std::optional<ClosestPair> closest = cable_variation::distance(line, *part_, pose, stretches, 0.0);
     if (!closest) return {std::numeric_limits<double>::infinity(), 0.0};
     return {closest->distance, line.arcLength(closest->place)};
   }

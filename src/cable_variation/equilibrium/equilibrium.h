@@ -112,8 +112,7 @@ struct Equilibrium {
   double residual = 0.0;  ///< largest out-of-balance force [N] (moments over the cable's radius of gyration)
   double discretisation_error = 0.0;  ///< estimate of the centreline's distance from the continuum [m]
   EnergyTerms energy;
-  double smallest_eigenvalue = 0.0;       ///< of the constrained Hessian [N/m], see EquilibriumSolver; not a
-                                          ///< number where a cable touches: it is not yet known there
+  double smallest_eigenvalue = 0.0;       ///< of the constrained Hessian [N/m], see EquilibriumSolver
   double solve_time = 0.0;                ///< [s]
   std::vector<CableShape> shapes;         ///< one per cable, in the harness's order
   std::vector<Reaction> clip_reactions;   ///< one per clip
@@ -154,7 +153,9 @@ struct Problem;
 ///
 /// smallest_eigenvalue: min over admissible motions v of (vᵀHv) / ‖v‖², where
 /// ‖v‖ is the root-mean-square motion of the cables' surface. Pushing the cable
-/// along its softest shape by a distance a costs ½ λ a². Negative: unstable.
+/// along its softest shape by a distance a costs ½ λ a². Negative: unstable. Where
+/// cables touch parts: among the motions that open no gap which presses; not a number
+/// where they touch other than with their ends or across sharp edges: not yet known.
 class EquilibriumSolver {
  public:
   explicit EquilibriumSolver(const EquilibriumOptions& options = {});
@@ -184,12 +185,14 @@ class EquilibriumSolver {
 
   /// How the equilibrium of the last converged call changes with variables of the
   /// harness, to first order: exact derivatives of the discrete equilibrium, by
-  /// implicit differentiation with one factorisation for all. Throws
-  /// std::logic_error when there is no such equilibrium.
+  /// implicit differentiation with one factorisation for all. Gaps that press stay
+  /// closed and others do not count: where a touch begins or ends, only one side's.
+  /// Throws std::logic_error when there is no such equilibrium.
   std::vector<EquilibriumRate> differentiate(const std::vector<HarnessRate>& variables);
 
   /// Derivatives of the smallest eigenvalue, one per variable [N/m per unit], valid
-  /// while it is simple. As differentiate().
+  /// while it is simple. As differentiate(); throws std::invalid_argument where a
+  /// cable touches a part: they are not yet known there.
   std::vector<double> eigenvalueRates(const std::vector<HarnessRate>& variables);
 
  private:

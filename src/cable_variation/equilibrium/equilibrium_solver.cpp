@@ -42,10 +42,12 @@ struct EquilibriumSolver::Impl {
 
   std::vector<EquilibriumRate> differentiate(const std::vector<HarnessRate>& variables);
   std::vector<double> eigenvalueRates(const std::vector<HarnessRate>& variables);
-  LinearResponse linearise();
+  Problem& atRest();
+  LinearResponse linearise(Problem& problem) const;
 
   EquilibriumOptions options;
   std::unique_ptr<Branch> branch;  // of the last converged call
+  std::unique_ptr<Branch> aside;   // a copy that is differentiated, of a shape that touches
 };
 
 // What contact does not know yet.
@@ -116,13 +118,32 @@ Equilibrium EquilibriumSolver::Impl::solveFrom(const Harness& harness,
   return result;
 }
 
+std::vector<ContactForceRate> contactRates(const Problem& problem, const HarnessResponse& response) {
+  std::vector<ContactForceRate> rates;
+  for (Eigen::Index i = 0; i < response.contact_forces.size(); ++i) {
+    const auto& at = problem.system->contact()->pressing()[static_cast<std::size_t>(i)];
+    const Span& span = problem.topology.spans[at.span];
+    const double left = problem.configuration.stations[span.left].arc_length;
+    const double right = problem.configuration.stations[span.right].arc_length;
+    rates.push_back({span.cable, at.contact, left + at.share * (right - left), response.contact_forces[i]});
+  }
+  return rates;
+}
+
+// The equilibrium as it is differentiated.
+Problem& EquilibriumSolver::Impl::atRest() {
+  if (!branch || branch->unstable()) throw std::logic_error("there is no equilibrium to differentiate");
+  const ContactSystem* contact = branch->problem().system->contact();
+  if (contact == nullptr || contact->pressing().empty()) return branch->problem();
+  aside = std::make_unique<Branch>(*branch);
+  aside->letPointsMove();
+  return aside->problem();
+}
+
 // The system ends with its Hessian factorised at the equilibrium.
-LinearResponse EquilibriumSolver::Impl::linearise() {
+LinearResponse EquilibriumSolver::Impl::linearise(Problem& problem) const {
   // The error of the derivatives is the shift over the softest motion's share of the bending stiffness.
   constexpr double kSmallestShift = 1e-12;
-  if (!branch || branch->unstable()) throw std::logic_error("there is no equilibrium to differentiate");
-  requireNoContact(branch->problem().harness, "derivatives of an equilibrium");
-  Problem& problem = branch->problem();
   for (double shift : {kSmallestShift, neutralShift(*problem.system)}) {
     problem.system->evaluate(problem.configuration, RodSystem::Hessian::exact);
     if (problem.system->factorise(shift, problem.system->bendingMetric()) == 0) break;
@@ -132,8 +153,8 @@ LinearResponse EquilibriumSolver::Impl::linearise() {
 
 std::vector<EquilibriumRate> EquilibriumSolver::Impl::differentiate(
     const std::vector<HarnessRate>& variables) {
-  LinearResponse response = linearise();
-  const Problem& problem = branch->problem();
+  Problem& problem = atRest();
+  LinearResponse response = linearise(problem);
   const std::vector<CableShape> shapes =
       describeShapes(problem.harness, problem.topology, *problem.system, problem.configuration);
   const ShapeRates shape_rates(problem.harness, problem.topology, shapes);
@@ -142,14 +163,19 @@ std::vector<EquilibriumRate> EquilibriumSolver::Impl::differentiate(
   for (const HarnessRate& variable : variables) {
     const HarnessChange change = changeOf(problem.harness, problem.topology, problem.system->unknowns(),
                                           problem.configuration, variable);
-    rates.push_back(shape_rates.of(change, response.to(change)));
+    const HarnessResponse& changed = response.to(change);
+    rates.push_back(shape_rates.of(change, changed));
+    rates.back().contacts = contactRates(problem, changed);
   }
+  aside.reset();
   return rates;
 }
 
 std::vector<double> EquilibriumSolver::Impl::eigenvalueRates(const std::vector<HarnessRate>& variables) {
-  LinearResponse response = linearise();
-  const Problem& problem = branch->problem();
+  Problem& problem = atRest();
+  if (&problem != &branch->problem())
+    requireNoContact(problem.harness, "derivatives of the smallest eigenvalue where a cable touches");
+  LinearResponse response = linearise(problem);
   EigenvalueRate rate(problem);
   std::vector<double> rates;
   for (const HarnessRate& variable : variables) {

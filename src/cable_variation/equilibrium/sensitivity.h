@@ -30,11 +30,21 @@ struct ReactionRate {
   double arc_length = 0.0;                           ///< [m]
 };
 
+/// First-order change of what a part presses a cable with, per unit of a variable, places that press being
+/// held; where they press in one point, as that moves.
+struct ContactForceRate {
+  std::size_t cable = 0;    ///< index into Harness::cables
+  std::size_t contact = 0;  ///< index into Harness::contacts
+  double arc_length = 0.0;  ///< [m]
+  double force = 0.0;       ///< of the force's amount [N]
+};
+
 /// First-order change of an Equilibrium per unit of a variable.
 struct EquilibriumRate {
   std::vector<std::vector<ShapePointRate>> shapes;  ///< per cable and point, as Equilibrium::shapes
   std::vector<ReactionRate> clip_reactions;         ///< per clip
   double elastic_energy = 0.0;                      ///< [J]
+  std::vector<ContactForceRate> contacts;           ///< one per place that presses
 };
 
 }  // namespace cable_variation

@@ -14,15 +14,17 @@ void change(Section& section, const CableRate& rate, double step) {
   section.radius *= 1.0 + step * rate.radius;
 }
 
+void move(Pose& pose, const FrameRate& frame, double step) {
+  pose.position += step * frame.translation;
+  pose.orientation = (so3::exp(step * frame.rotation) * pose.orientation).normalized();
+}
+
 }  // namespace
 
 Harness changed(const Harness& harness, const HarnessRate& rate, double step) {
   Harness result = harness;
-  for (const auto& [clip, frame] : rate.clip_frames) {
-    Pose& pose = result.clips[clip].pose;
-    pose.position += step * frame.translation;
-    pose.orientation = (so3::exp(step * frame.rotation) * pose.orientation).normalized();
-  }
+  for (const auto& [clip, frame] : rate.clip_frames) move(result.clips[clip].pose, frame, step);
+  for (const auto& [contact, frame] : rate.part_frames) move(result.contacts[contact].pose, frame, step);
   for (const auto& [clip, value] : rate.clip_arc_lengths) result.clips[clip].arc_length += step * value;
   for (const auto& [joint, value] : rate.parent_arc_lengths) {
     result.joints[joint].parent_arc_length += step * value;

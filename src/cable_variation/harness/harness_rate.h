@@ -27,9 +27,10 @@ struct CableRate {
 };
 
 /// How a harness changes with one variable, to first order: only what changes is listed.
-/// First: an index into the harness's clips, joints or loads.
+/// First: an index into the harness's clips, contacts, joints or loads.
 struct HarnessRate {
   std::vector<std::pair<std::size_t, FrameRate>> clip_frames;
+  std::vector<std::pair<std::size_t, FrameRate>> part_frames;      ///< of PartContact::pose
   std::vector<std::pair<std::size_t, double>> clip_arc_lengths;    ///< [m]
   std::vector<std::pair<std::size_t, double>> parent_arc_lengths;  ///< of joints [m]
   std::vector<std::pair<std::size_t, double>> child_arc_lengths;   ///< of joints [m]
@@ -39,8 +40,8 @@ struct HarnessRate {
 
 struct Harness;
 
-/// The harness after a change of the variable by `step`: clip frames turn about
-/// their origins, everything else changes in proportion.
+/// The harness after a change of the variable by `step`: frames of clips and parts turn about their origins,
+/// everything else changes in proportion.
 Harness changed(const Harness& harness, const HarnessRate& rate, double step);
 
 }  // namespace cable_variation

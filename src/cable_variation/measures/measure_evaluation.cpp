@@ -73,7 +73,7 @@ namespace {
 bool isKnown(const Equilibrium& equilibrium, const Measure& measure) {
   switch (measure.type) {
     case Measure::Type::eigenvalue:
-      return equilibrium.contacts.empty();
+      return !std::isnan(equilibrium.smallest_eigenvalue);
     case Measure::Type::strain:
     case Measure::Type::stress:
     case Measure::Type::section_force:

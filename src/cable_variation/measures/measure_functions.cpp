@@ -79,7 +79,7 @@ RateOfMeasure leftToTheSolver(Context, Of, At) {
   return [](Rates) { return 0.0; };
 }
 
-// Derivatives of equilibria with contact are refused before they get here.
+// Where contact ends is known to the places along the cable that are looked at, which leave it in steps.
 RateOfMeasure notKnown(Context, Of, At) {
   return [](Rates) { return std::numeric_limits<double>::quiet_NaN(); };
 }
@@ -97,7 +97,7 @@ constexpr std::array<MeasureFunctions, enumeratorCount<Type>()> kFunctions{{
     {Type::clip_force, plainValue<clipLoadValue>, rateOfClipLoad},
     {Type::clip_moment, plainValue<clipLoadValue>, rateOfClipLoad},
     {Type::slide, plainValue<slideValue>, rateOfSlide},
-    {Type::contact_force, plainValue<contactValue>, notKnown},
+    {Type::contact_force, plainValue<contactValue>, plainRate<contactForceRate>},
     {Type::contact_length, plainValue<contactValue>, notKnown},
     {Type::energy, figureOf<elasticEnergy>, rateOfEnergy},
     {Type::eigenvalue, figureOf<smallestEigenvalue>, leftToTheSolver},

@@ -197,6 +197,10 @@ class DesignDerivative {
     for (std::size_t i = 0; i < carriers_.size(); ++i) {
       if (ridesOn(carriers_[i], carrier)) rate_.harness.clip_frames.emplace_back(i, motion.at(clipPose(i)));
     }
+    for (std::size_t i = 0; i < scene_.contact_components.size(); ++i) {
+      const std::size_t part = scene_.contact_components[i];
+      if (ridesOn(part, carrier)) rate_.harness.part_frames.emplace_back(i, motion.at(frames_[part].pose));
+    }
   }
 
   const Scene& scene_;

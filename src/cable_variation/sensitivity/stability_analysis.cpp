@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
 #include <cable_variation/measures/open_parts.h>
 #include <cable_variation/scene/measure_traits.h>
@@ -69,6 +71,11 @@ class Analysis {
              "; its derivatives are those of the place named");
       }
       if (!traits.eigenvalue) continue;
+      if (!result_.nominal.contacts.empty()) {
+        result_.jacobian.row(static_cast<Eigen::Index>(row))
+            .setConstant(std::numeric_limits<double>::quiet_NaN());
+        continue;
+      }
       if (eigenvalue_rates.empty()) eigenvalue_rates = solver_.eigenvalueRates(harness_rates);
       for (std::size_t column = 0; column < eigenvalue_rates.size(); ++column) {
         result_.jacobian(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column)) =
@@ -77,18 +84,58 @@ class Analysis {
     }
     for (std::size_t row = 0; row < result_.measures.size(); ++row) {
       const auto r = static_cast<Eigen::Index>(row);
-      result_.undefined.push_back(whyUndefined(result_.values[row], result_.jacobian.row(r)));
+      result_.undefined.push_back(whyUndefined(row, result_.jacobian.row(r)));
       if (result_.undefined.back().empty()) continue;
       result_.jacobian.row(r).setConstant(std::numeric_limits<double>::quiet_NaN());
       warn(measure(row).name, ": derivatives and spread are not defined: ", result_.undefined.back());
     }
+    warnOfTouches();
     result_.linear_time = secondsSince(start);
   }
 
-  std::string whyUndefined(const MeasureValue& value, const Eigen::RowVectorXd& gradient) const {
+  // Derivatives hold as long as cables touch what they touch.
+  void warnOfTouches() {
+    if (result_.nominal.contacts.empty() && std::abs(result_.nominal.smallest_gap) < kNearlyTouching) {
+      warn("a cable all but touches a part, with ", 1e3 * result_.nominal.smallest_gap,
+           " mm between them: derivatives are those of one that does not");
+    }
+    const bool many = std::any_of(result_.nominal.contacts.begin(), result_.nominal.contacts.end(),
+                                  [](const ContactInterval& at) { return at.places.size() > 1; });
+    if (many) {
+      warn(
+          "a cable touches in more than a point: derivatives hold the places that press there, and are off "
+          "by as "
+          "much as their distance tells, some per cent");
+    }
+    std::map<Touch, double> forces;
+    for (const ContactInterval& interval : result_.nominal.contacts)
+      forces[{interval.cable, interval.contact}] += interval.total;
+    for (const auto& [touch, force] : forces) {
+      for (std::size_t column = 0; column < result_.variables.size(); ++column) {
+        double rate = 0.0;
+        for (const ContactForceRate& at : result_.rates[column].contacts) {
+          if (at.cable == touch.first && at.contact == touch.second) rate += at.force;
+        }
+        if (force + std::min(rate * variable(column).lower, rate * variable(column).upper) >= 0.0) continue;
+        warn("within its tolerance ", variable(column).name, " takes all of the ", force,
+             " N by which part '", scene_.harness.contacts[touch.second].part, "' presses cable '",
+             scene_.harness.cables[touch.first].name, "', to first order: derivatives hold while they touch");
+      }
+    }
+  }
+
+  // A cable and a contact, by their indices.
+  using Touch = std::pair<std::size_t, std::size_t>;
+
+  std::string whyUndefined(std::size_t row, const Eigen::RowVectorXd& gradient) const {
+    const MeasureValue& value = result_.values[row];
     const std::string note = value.note.empty() ? "" : " (" + value.note + ")";
     if (std::isnan(value.value)) return "the nominal design has no value" + note;
     if (std::isinf(value.value)) return "the value is infinite at the nominal design" + note;
+    if (measure(row).type == Measure::Type::contact_length)
+      return "where a cable begins and ceases to touch is known in steps; low and high tell how it changes";
+    if (traitsOf(measure(row).type).eigenvalue && !result_.nominal.contacts.empty())
+      return "not yet known where a cable touches a part; low and high tell how it changes";
     for (Eigen::Index column = 0; column < gradient.size(); ++column) {
       if (std::isfinite(gradient[column])) continue;
       return "it has no finite derivative by " + variable(static_cast<std::size_t>(column)).name +
@@ -182,6 +229,7 @@ class Analysis {
       measured = evaluator.evaluate({found.harness, found.equilibrium, found.components}, result_.measures,
                                     &result_.values);
       eigenvalue = found.equilibrium.smallest_eigenvalue;
+      warnOfOtherTouches(found.equilibrium, column, high);
     }
     if (found.snap) result_.snaps.push_back(*found.snap);
     if (!found.message.empty()) {
@@ -194,6 +242,22 @@ class Analysis {
     return eigenvalue;
   }
 
+  // A touch that begins or ends on the way to a limit.
+  void warnOfOtherTouches(const Equilibrium& there, std::size_t column, bool high) {
+    std::map<Touch, std::pair<bool, bool>> touches;  // here, there
+    for (const ContactInterval& interval : result_.nominal.contacts)
+      touches[{interval.cable, interval.contact}].first = true;
+    for (const ContactInterval& interval : there.contacts)
+      touches[{interval.cable, interval.contact}].second = true;
+    for (const auto& [touch, at] : touches) {
+      if (at.first == at.second) continue;
+      warn(variable(column).name, high ? " at its upper limit" : " at its lower limit",
+           at.first ? " has taken " : " has brought ",
+           "cable '" + scene_.harness.cables[touch.first].name + "' ", at.first ? "off" : "to touch",
+           " part '" + scene_.harness.contacts[touch.second].part + "': derivatives do not know of it");
+    }
+  }
+
   template <class... Parts>
   void warn(const Parts&... parts) {
     std::ostringstream text;
@@ -203,6 +267,7 @@ class Analysis {
   }
 
   static constexpr double kMuchSofter = 0.5;
+  static constexpr double kNearlyTouching = 1e-5;  // [m]
 
   const Scene& scene_;
   const StabilityOptions& options_;
@@ -214,7 +279,6 @@ class Analysis {
 
 StabilityAnalysis analyseStability(const Scene& scene, const MeasureEvaluator& evaluator,
                                    const StabilityOptions& options, EquilibriumSolver solver) {
-  requireNoContact(scene.harness, "stability analyses");
   return Analysis(scene, options, std::move(solver)).run(evaluator);
 }
 

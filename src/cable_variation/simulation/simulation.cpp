@@ -367,7 +367,6 @@ class Simulator {
 Simulation simulateVariation(const Scene& scene, const MeasureEvaluator& evaluator,
                              const SimulationOptions& options, const EquilibriumSolver& solver,
                              const SampleReceiver& receiver, const ProgressObserver& observer) {
-  requireNoContact(scene.harness, "simulations");
   return Simulator(scene, evaluator, options, solver, receiver, observer).run();
 }
 

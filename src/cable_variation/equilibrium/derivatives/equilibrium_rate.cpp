@@ -49,6 +49,7 @@ HarnessChange changeOf(const Harness& harness, const Topology& topology, const S
   change.carried.setZero(6, count);
   change.frame_turn.setZero(3, count);
   change.cables = rate.cables;
+  change.parts = rate.part_frames;
   change.arc_lengths = arcLengthRates(harness, topology, rate);
   for (std::size_t i = 0; i < topology.stations.size(); ++i) {
     if (unknowns.slide(i) >= 0) change.arc_lengths[static_cast<Eigen::Index>(i)] = 0.0;

@@ -1,9 +1,8 @@
-#include <cable_variation/equilibrium/derivatives/linear_response.h>
+#include <cable_variation/equilibrium/derivatives/linear_response_impl.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include <cable_variation/equilibrium/discretisation/rod_system_impl.h>
 #include <cable_variation/equilibrium/discretisation/shape_point.h>
 
 namespace cable_variation {
@@ -12,24 +11,11 @@ using element::kDofs;
 using element::kGauss;
 using element::kInner;
 using element::kLanes;
-using element::kNodes;
-
-// Of a batch of elements at the equilibrium, all nodes held: derivatives by the arc lengths of their ends,
-// and what a change of the harness does.
-struct LinearResponse::ExplicitChange {
-  element::ArcLength by_arc_length;
-  element::Energy elastic;  // without load
-  element::ArcLength elastic_by_arc_length;
-  // of the change at hand
-  alignas(64) double gradient[kDofs][kLanes];
-  alignas(64) double arc_length_gradient[2][kLanes];  // of both ends, by properties alone
-  alignas(64) double elastic_energy[kLanes];          // by properties alone
-};
 
 LinearResponse::~LinearResponse() = default;
 
 LinearResponse::LinearResponse(RodSystem& system, const Configuration& configuration)
-    : system_(system), configuration_(configuration), explicit_(system.batches_.size()) {
+    : system_(system), configuration_(configuration), explicit_(system.batches_.size()), contacts_(system) {
   const element::Kernel& kernel = element::kernel();
   for (std::size_t b = 0; b < explicit_.size(); ++b) {
     const RodSystem::Batch& batch = system.batches_[b];
@@ -222,12 +208,22 @@ void LinearResponse::turnAxes(const HarnessChange& change, Eigen::VectorXd& forc
 }
 
 const HarnessResponse& LinearResponse::to(const HarnessChange& change) {
-  const bool is_explicit = differentiateExplicitly(change);
+  bool is_explicit = differentiateExplicitly(change);
+  Eigen::VectorXd opened;
+  if (!contacts_.none()) {
+    opened = moveParts(change);
+    is_explicit = true;
+    explicit_is_clear_ = false;
+  }
   NodalField& motion = response_.motion;
   motion.scale(0.0);
   if (is_explicit) addForce(change, motion);
   turnAxes(change, motion.unknowns);
   system_.solveCarried(change.carried, motion, !is_explicit);
+  if (!contacts_.none()) {
+    response_.contact_forces = contacts_.hold(opened, motion);
+    addContactForces(response_.contact_forces);
+  }
 
   Eigen::VectorXd slides = Eigen::VectorXd::Zero(change.arc_lengths.size());
   for (std::size_t i = 0; i < system_.topology_.stations.size(); ++i) {

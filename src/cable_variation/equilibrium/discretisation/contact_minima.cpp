@@ -18,6 +18,9 @@ namespace {
 constexpr double kSameDirection = 0.5;
 // Of the second derivative that a straight tube across a straight edge has: what is flatter is no edge.
 constexpr double kSharp = 0.3;
+// Of a minimum that is no edge but a point: by this over the reach, in metres, the gap rises by kGapTolerance
+// half a reach off.
+constexpr double kBlunt = 8.0 * kGapTolerance;
 // How far from a minimum that is judged, in reaches: faceted cylinders are smooth at this distance.
 constexpr double kAside = 0.25;
 
@@ -80,7 +83,8 @@ bool ContactSystem::toMinimum(std::size_t span, const SpanConfiguration& nodes, 
     double way =
         second > 0.0 ? std::clamp(-slope / second, -longest, longest) : (slope < 0.0 ? longest : -longest);
     if (std::abs(way) * speed < kFound * reach) {
-      at.sharpness = second * reach > kSharp * speed * speed ? second : 0.0;
+      const double least = at.blunt ? kBlunt / reach : kSharp;
+      at.sharpness = second * reach > least * speed * speed ? second : 0.0;
       place = at;
       return true;
     }
@@ -93,6 +97,7 @@ bool ContactSystem::toMinimum(std::size_t span, const SpanConfiguration& nodes, 
     Place next = makePlace(span, share, place.base);
     next.held = place.held;
     next.moves = place.moves;
+    next.blunt = place.blunt;
     next.fresh = place.fresh;
     if ((positionAt(nodes, next) - positionAt(nodes, place)).norm() > kFurthest * reach) return false;
     at = std::move(next);

@@ -19,13 +19,6 @@ constexpr double kApart = 0.4, kFloor = 0.6, kThrough = 0.2;
 // How much longer a piece of the curve may be than the undeformed one.
 constexpr double kStretched = 1.2;
 
-Vector3d pointOf(const std::vector<Vector3d>& nodes, std::size_t element,
-                 const std::array<double, kNodes>& weights) {
-  Vector3d x = Vector3d::Zero();
-  for (std::size_t a = 0; a < kNodes; ++a) x += weights[a] * nodes[3 * element + a];
-  return x;
-}
-
 std::vector<Vector3d> inFrame(const Pose& pose, const std::vector<Vector3d>& positions) {
   const Pose into = pose.inverse();
   std::vector<Vector3d> result;
@@ -34,7 +27,65 @@ std::vector<Vector3d> inFrame(const Pose& pose, const std::vector<Vector3d>& pos
   return result;
 }
 
+// How far a point is from a surface, as it goes along: what is known of the place before bounds the next.
+class DistanceAlong {
+ public:
+  /// @param sight what is further away counts as that far [m]
+  DistanceAlong(const ContactSurface& surface, double sight) : surface_(surface), sight_(sight) {}
+
+  /// Not more than the distance there [m].
+  double atLeast(const Vector3d& x) const { return known_ - (x - seen_).norm(); }
+  double operator()(const Vector3d& x) {
+    constexpr double kMore = 1e-9;  // of rounding
+    const double most = is_exact_ ? (1.0 + kMore) * (known_ + (x - seen_).norm()) : sight_;
+    known_ = surface_.distance(x, std::min(sight_, most));
+    is_exact_ = known_ < sight_;
+    seen_ = x;
+    return known_;
+  }
+
+ private:
+  const ContactSurface& surface_;
+  double sight_;
+  double known_ = -INFINITY;
+  bool is_exact_ = false;
+  Vector3d seen_ = Vector3d::Zero();
+};
+
 }  // namespace
+
+// A place as the way looks at it.
+struct ContactSystem::OnTheWay {
+  std::size_t element = 0;
+  std::array<double, kNodes> weight{};
+  double reach = 0.0;
+
+  Vector3d of(const std::vector<Vector3d>& nodes) const {
+    Vector3d x = Vector3d::Zero();
+    for (std::size_t a = 0; a < kNodes; ++a) x += weight[a] * nodes[3 * element + a];
+    return x;
+  }
+};
+
+ContactSystem::OnTheWay ContactSystem::onTheWay(std::size_t index, std::size_t contact, double share) const {
+  const std::vector<double>& grid = spans_[index].grid;
+  const Span& span = topology_.spans[index];
+  OnTheWay place;
+  place.element =
+      static_cast<std::size_t>(std::upper_bound(grid.begin() + 1, grid.end() - 1, share) - grid.begin()) - 1;
+  const double start = grid[place.element], end = grid[place.element + 1];
+  const double at = std::clamp((share - start) / (end - start), 0.0, 1.0);
+  for (std::size_t a = 0; a < kNodes; ++a) {
+    place.weight[a] = 1.0;
+    for (std::size_t b = 0; b < kNodes; ++b) {
+      if (b != a) place.weight[a] *= (at - element::kNodeAt[b]) / (element::kNodeAt[a] - element::kNodeAt[b]);
+    }
+  }
+  const double left = topology_.stations[span.left].arc_length;
+  const double length = topology_.stations[span.right].arc_length - left;
+  place.reach = profiles_[span.cable].at(left + share * length).radius + harness_.contacts[contact].stand_off;
+  return place;
+}
 
 double ContactSystem::freeShare(std::size_t index, std::size_t contact, const Configuration& at,
                                 const std::vector<Vector3d>& from, const std::vector<Vector3d>& to,
@@ -45,18 +96,20 @@ double ContactSystem::freeShare(std::size_t index, std::size_t contact, const Co
   for (std::size_t n = 0; n < from.size(); ++n) furthest = std::max(furthest, (to[n] - from[n]).norm());
   furthest *= kStretched;  // between nodes a cubic goes a little further
   const double length = kStretched * (arcLength(index, 1.0, at) - arcLength(index, 0.0, at));
+  DistanceAlong distance_along(*of.surface, furthest + 10.0 * onTheWay(index, contact, 0.0).reach);
   double share = 0.0;
   while (share <= 1.0) {
-    const Place place = makePlace(index, std::min(share, 1.0), false);
-    const double reach = this->reach(contact, place);
-    double next = kApart * reach;
-    if (counts(stretches, arcLength(index, place.share, at))) {
-      const Vector3d x = pointOf(from, place.element, place.weight);
-      const Vector3d way = pointOf(to, place.element, place.weight) - x;
-      const double sight = furthest + 10.0 * reach;
-      double distance = of.surface->distance(x, sight);
-      next = std::max(next, distance - furthest - kFloor * reach);
-      const double floor = std::min(kFloor * reach, 0.9 * distance), way_length = way.norm();
+    const OnTheWay place = onTheWay(index, contact, std::min(share, 1.0));
+    double next = kApart * place.reach;
+    const Vector3d x = place.of(from);
+    const Vector3d way = place.of(to) - x;
+    const double way_length = way.norm();
+    const bool free = distance_along.atLeast(x) - kFloor * place.reach >= most * way_length;
+    if (!free && counts(stretches, arcLength(index, share, at))) {
+      double distance = distance_along(x);
+      next = std::max(next, distance - furthest - kFloor * place.reach);
+      const double floor = std::min(kFloor * place.reach, 0.9 * distance);
+      DistanceAlong ahead = distance_along;
       // conservative advancement: as far as the distance allows, from there again
       constexpr int kSteps = 200;
       constexpr double kStuck = 1e-3;
@@ -68,8 +121,8 @@ double ContactSystem::freeShare(std::size_t index, std::size_t contact, const Co
           break;
         }
         gone += std::max(room, 0.0) / way_length;
-        if (room < kStuck * reach) break;
-        distance = of.surface->distance(x + gone * way, sight);
+        if (room < kStuck * place.reach) break;
+        distance = ahead(x + gone * way);
       }
       most = std::min(most, gone);
     }
@@ -149,16 +202,15 @@ std::optional<std::size_t> ContactSystem::crossed(const Configuration& configura
       const std::vector<Vector3d> nodes = inFrame(of.pose, configuration.spans[i].positions);
       const double length =
           kStretched * (arcLength(i, 1.0, configuration) - arcLength(i, 0.0, configuration));
+      DistanceAlong distance_along(*of.surface, 20.0 * onTheWay(i, c, 0.0).reach);
       double share = 0.0;
       while (share <= 1.0) {
-        const Place place = makePlace(i, share, false);
-        const double reach = this->reach(c, place);
-        double next = kApart * reach;
+        const OnTheWay place = onTheWay(i, c, share);
+        double next = kApart * place.reach;
         if (counts(stretches, arcLength(i, share, configuration))) {
-          const double distance =
-              of.surface->distance(pointOf(nodes, place.element, place.weight), 20.0 * reach);
-          if (distance < kThrough * reach) return c;
-          next = std::max(next, distance - kThrough * reach);
+          const double distance = distance_along(place.of(nodes));
+          if (distance < kThrough * place.reach) return c;
+          next = std::max(next, distance - kThrough * place.reach);
         }
         if (share >= 1.0) break;
         share = std::min(1.0, share + next / length);

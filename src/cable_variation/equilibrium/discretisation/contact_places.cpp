@@ -65,6 +65,8 @@ void ContactSystem::take(const ContactSystem& other) {
       Place here = makePlace(i, place.share, false);
       here.held = place.held;
       here.moves = place.moves;
+      here.blunt = place.blunt;
+      has_points_ = has_points_ || place.blunt;
       insert(i, std::move(here));
     }
   }
@@ -96,10 +98,11 @@ ContactSystem::Nearest ContactSystem::nearest(std::size_t contact, const SpanCon
 // A minimum of the gap inside, where it falls at a and rises at b, if it is below both ends and below zero.
 std::optional<ContactSystem::Place> ContactSystem::minimumBetween(std::size_t span, std::size_t contact,
                                                                   const SpanConfiguration& nodes,
-                                                                  const Place& a, const Place& b) const {
+                                                                  const Place& a, const Place& b,
+                                                                  const Nearest& left,
+                                                                  const Nearest& right) const {
   constexpr int kSteps = 40;
   constexpr double kNarrow = 1e-6;  // of the way between
-  const Nearest left = nearest(contact, nodes, a), right = nearest(contact, nodes, b);
   if (!left.found || !right.found || !(left.slope < 0.0) || !(right.slope > 0.0)) return std::nullopt;
   double low = a.share, high = b.share;
   double low_slope = left.slope, high_slope = right.slope;
@@ -157,12 +160,19 @@ bool ContactSystem::findMinima(const Configuration& configuration) {
       const std::vector<CableStretch> stretches = skipped(harness_.contacts[c], configuration);
       std::vector<Place> minima;
       const std::vector<Place>& places = spans_[i].places;
+      std::optional<Nearest> known;  // of the place before the next
       for (std::size_t j = 0; j + 1 < places.size(); ++j) {
         const Place &a = places[j], &b = places[j + 1];
         const double near = 1.5 * reach(c, a);
-        if (a.clear[k] > near && b.clear[k] > near) continue;
-        const auto minimum = minimumBetween(i, c, nodes, a, b);
+        if (a.clear[k] > near && b.clear[k] > near) {
+          known.reset();
+          continue;
+        }
+        const Nearest left = known ? *known : nearest(c, nodes, a), right = nearest(c, nodes, b);
+        known = right;
+        const auto minimum = minimumBetween(i, c, nodes, a, b, left, right);
         if (!minimum || !counts(stretches, arcLength(i, minimum->share, configuration))) continue;
+        if (has_points_ && isBesidePoint(i, c, minimum->share)) continue;
         minima.push_back(*minimum);
       }
       for (Place& minimum : minima) {

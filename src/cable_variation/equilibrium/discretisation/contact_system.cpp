@@ -19,6 +19,8 @@ constexpr double kSight = 8.0;
 // Places with the same multiplier see the part in directions whose cosine is more than this.
 constexpr double kSameDirection = 0.5;
 
+bool isNearer(const SurfacePlace& a, const SurfacePlace& b) { return a.distance < b.distance; }
+
 }  // namespace
 
 ContactSystem::ContactSystem(const Harness& harness, const Topology& topology, const Grid& grid)
@@ -172,15 +174,22 @@ void ContactSystem::evaluate(const Configuration& configuration) {
           if (held.contact == c) held.now = 0.0;
         }
         if (place.moves && place.held.front().contact != c) continue;
+        if (!place.moves && has_points_ && isBesidePoint(i, c, place.share)) continue;
         if (!stretches.empty() && !counts(stretches, arcLength(i, place.share, configuration))) continue;
         const Vector3d x = into * positionAt(configuration.spans[i], place);
         const double reach = this->reach(c, place), near = (1.0 + kBand) * reach;
         if ((x - place.seen[k]).norm() < place.clear[k] - near) continue;
         place.seen[k] = x;
-        place.clear[k] = contact.surface->distance(x, kSight * reach);
-        if (place.clear[k] >= near) continue;
         found.clear();
-        contact.surface->placesNear(x, near, found);
+        // what was near is likely to be so still
+        if (place.clear[k] >= 0.0 && place.clear[k] < near) contact.surface->placesNear(x, near, found);
+        if (found.empty()) {
+          place.clear[k] = contact.surface->distance(x, kSight * reach);
+          if (place.clear[k] >= near) continue;
+          contact.surface->placesNear(x, near, found);
+        } else {
+          place.clear[k] = std::min_element(found.begin(), found.end(), isNearer)->distance;
+        }
         std::vector<bool> taken(place.held.size(), false);
         for (const SurfacePlace& on : found) {
           std::size_t match = place.held.size();
@@ -214,7 +223,11 @@ void ContactSystem::evaluate(const Configuration& configuration) {
           pressing.weight = place.weight;
           pressing.share = place.share;
           pressing.place = static_cast<std::size_t>(&place - span.places.data());
+          const double width = span.grid[place.element + 1] - span.grid[place.element];
           pressing.position = contact.pose * x;
+          pressing.tangent = tangentAt(configuration.spans[i], place) / width;
+          pressing.radius = place.radius;
+          pressing.radius_slope = place.radius_slope / width;
           pressing.on_part = contact.pose * on.point;
           pressing.direction = contact.pose.orientation * on.direction;
           const Eigen::Matrix3d turn = contact.pose.orientation.toRotationMatrix();
@@ -223,9 +236,8 @@ void ContactSystem::evaluate(const Configuration& configuration) {
           pressing.force = pressing.bent = force;
           pressing.stiffness = stiffness;
           if (place.sharpness > 0.0) {
-            const double width = span.grid[place.element + 1] - span.grid[place.element];
             pressing.sharpness = place.sharpness / (width * width);
-            pressing.along = pressing.curvature * tangentAt(configuration.spans[i], place) / width;
+            pressing.along = pressing.curvature * pressing.tangent;
             setFollows(place, pressing);
           }
           pressing_.push_back(pressing);

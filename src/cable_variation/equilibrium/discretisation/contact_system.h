@@ -47,6 +47,9 @@ class ContactSystem {
     double share = 0.0;                            ///< of the span
     std::size_t place = 0;                         ///< number of the place along the span
     Eigen::Vector3d position;                      ///< on the centreline [m, world]
+    Eigen::Vector3d tangent;                       ///< its derivative over the span's share [m, world]
+    double radius = 0.0;                           ///< of the cable [m]
+    double radius_slope = 0.0;                     ///< over the span's share [m]
     Eigen::Vector3d on_part;                       ///< [m, world]
     Eigen::Vector3d direction;                     ///< of the force on the cable, unit, world
     Eigen::Matrix3d curvature;                     ///< of the gap by the place's position [1/m], world
@@ -84,6 +87,9 @@ class ContactSystem {
   /// moves with it.
   void keepForces(const Configuration& configuration);
   void letMove(const Configuration& configuration);  ///< that alone, with the forces of the last evaluation
+  /// As letMove(), also where the minimum is a blunt one, but what presses presses in one point. Returns
+  /// whether there was any.
+  bool letPointsMove(const Configuration& configuration);
   /// Puts places in where gaps are smallest between others and closed. Returns whether there was one.
   bool findMinima(const Configuration& configuration);
   /// Whether any force is known.
@@ -121,6 +127,7 @@ class ContactSystem {
     bool base = true;
     bool fresh = true;       // not yet evaluated
     bool moves = false;      // with a minimum of the gap to what it holds, one thing
+    bool blunt = false;      // the minimum need not be sharp
     double sharpness = 0.0;  // of a minimum it is at: second derivative of the gap over `at` [m], else 0
     std::array<double, element::kNodes> weight{}, slope{};
     double radius = 0.0;        // of the cable there [m]
@@ -151,14 +158,22 @@ class ContactSystem {
   double reach(std::size_t contact, const Place& place) const;
   Nearest nearest(std::size_t contact, const SpanConfiguration& nodes, const Place& place) const;
   std::optional<Place> minimumBetween(std::size_t span, std::size_t contact, const SpanConfiguration& nodes,
-                                      const Place& a, const Place& b) const;
+                                      const Place& a, const Place& b, const Nearest& left,
+                                      const Nearest& right) const;
   void insert(std::size_t span, Place place);
   /// Moves a place that holds one thing to the minimum of the gap near by. False: it has none.
   bool toMinimum(std::size_t span, const SpanConfiguration& nodes, Place& place) const;
   bool isSharp(std::size_t span, const SpanConfiguration& nodes, const Place& place) const;
   void moveMinima(std::size_t span, const SpanConfiguration& nodes);
   void letMove(std::size_t span, const SpanConfiguration& nodes);
+  std::vector<std::vector<const Pressing*>> pressingRuns() const;
+  /// Whether a place is so near to one that moves with a blunt minimum that it would hold its slope as soon
+  /// as it pressed, however little.
+  bool isBesidePoint(std::size_t span, std::size_t contact, double share) const;
+  bool letPointMove(const Configuration& configuration, const std::vector<const Pressing*>& run);
   void setFollows(const Place& place, Pressing& pressing) const;
+  struct OnTheWay;
+  OnTheWay onTheWay(std::size_t span, std::size_t contact, double share) const;
   /// Whether a motion carries a span nowhere through a part, as it is too short for that.
   bool isShort(std::size_t span, const NodalField& motion) const;
   /// From nodes of a span to others, both in the part's frame: the share that is free.
@@ -173,6 +188,7 @@ class ContactSystem {
   std::vector<Pressing> pressing_;
   std::vector<Pressing> frozen_;  // with the numbers of the other grid
   bool is_frozen_ = false;
+  bool has_points_ = false;  // places that move with blunt minima
   double energy_ = 0.0, worst_gap_ = 0.0;
   double softness_ = kSoft;
 };

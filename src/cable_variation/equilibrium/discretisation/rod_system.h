@@ -133,6 +133,8 @@ class RodSystem {
 
   /// Sets a motion's columns at the spans' ends to what its unknowns do there, after evaluate().
   void carryEnds(NodalField& motion) const;
+  /// Turns the force on a span's ends into one on the unknowns, after evaluate().
+  void gatherEnds(std::size_t span, NodalField& force) const;
   /// Hessian, on both sides multiplied by a motion; after evaluate() with the exact Hessian, before
   /// factorise().
   double curvatureAlong(const NodalField& motion) const;

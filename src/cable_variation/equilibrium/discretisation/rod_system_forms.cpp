@@ -16,6 +16,16 @@ void RodSystem::carryEnds(NodalField& motion) const {
   }
 }
 
+void RodSystem::gatherEnds(std::size_t span, NodalField& force) const {
+  auto& nodes = force.spans[span];
+  Vector14d ends = Vector14d::Zero();
+  ends.head<6>() = nodes.leftCols<1>();
+  ends.segment<6>(6) = nodes.rightCols<1>();
+  addToUnknowns(span, ends, force.unknowns);
+  nodes.leftCols<1>().setZero();
+  nodes.rightCols<1>().setZero();
+}
+
 double RodSystem::curvatureAlong(const NodalField& motion) const {
   double sum = 0.0;
   for (std::size_t i = 0; i < spans_.size(); ++i) {
@@ -63,12 +73,7 @@ void RodSystem::applyMetric(const std::vector<Metric>& metric, const NodalField&
         nodes.col(column).tail<2>() += share * metric[i].bend * motion.spans[i].col(column).tail<2>();
       }
     }
-    Vector14d ends = Vector14d::Zero();
-    ends.head<6>() = nodes.col(0);
-    ends.segment<6>(6) = nodes.col(nodes.cols() - 1);
-    addToUnknowns(i, ends, result.unknowns);
-    nodes.col(0).setZero();
-    nodes.col(nodes.cols() - 1).setZero();
+    gatherEnds(i, result);
     for (std::size_t station : {topology_.spans[i].left, topology_.spans[i].right}) {
       const int slide = unknowns_.slide(station);
       if (slide >= 0) result.unknowns[slide] += metric[i].slide * motion.unknowns[slide];

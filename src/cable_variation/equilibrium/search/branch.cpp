@@ -115,7 +115,7 @@ bool Branch::descendInContact(bool settle, StartStress stress, int iterations, E
       result.residual = minimum.residual;
       if (settle) unstable_ = !minimum.stable();
       const bool closed = contact.findMinima(problem_.configuration);
-      if (!closed && contact.worstGap() <= kGapTolerance) return true;
+      if (!closed && contact.worstGap() <= gap_tolerance_) return true;
       if (contact.worstGap() <= kNearly) nearly.emplace(problem_.configuration, contact);
       left = iterations;
     } else if (nearly) {
@@ -284,12 +284,27 @@ std::vector<std::vector<bool>> Branch::pairsThatMatter(const DiscretisationError
   return marked;
 }
 
+// By the exact distance, which is the costlier the more of a cable lies flat: once for a shape.
+ExactGap Branch::exactGapOf(const std::vector<CableShape>& shapes) {
+  const std::vector<SpanConfiguration>& spans = problem_.configuration.spans;
+  const auto same = [](const SpanConfiguration& a, const SpanConfiguration& b) {
+    return a.positions == b.positions && a.orientations.size() == b.orientations.size() &&
+           std::equal(a.orientations.begin(), a.orientations.end(), b.orientations.begin(),
+                      [](const auto& p, const auto& q) { return p.coeffs() == q.coeffs(); });
+  };
+  if (!known_gap_ ||
+      !std::equal(spans.begin(), spans.end(), known_gap_->spans.begin(), known_gap_->spans.end(), same))
+    known_gap_ =
+        GapAt{spans, exactGap(problem_.harness, *problem_.system->contact(), problem_.configuration, shapes)};
+  return known_gap_->gap;
+}
+
 // Whether the true tubes enter no part that they have contact with, or the place is watched from now on; and
 // are where parts press them.
 bool Branch::isClear(const Equilibrium& result) {
   if (!problem_.system->contact()) return true;
   ContactSystem& contact = *problem_.system->contact();
-  const ExactGap exact = exactGap(problem_.harness, contact, problem_.configuration, result.shapes);
+  const ExactGap exact = exactGapOf(result.shapes);
   if (exact.gap >= -kTouching) return !pressesFromAfar(problem_, result.shapes);
   contact.watch(problem_.harness.contacts[exact.contact].cable, exact.arc_length, problem_.configuration);
   return false;
@@ -360,6 +375,44 @@ bool Branch::overstretched(Equilibrium& result) const {
   return false;
 }
 
+void Branch::letPointsMove() {
+  RodSystem& system = *problem_.system;
+  const Configuration before = problem_.configuration;
+  const ContactSystem known = *system.contact();
+  constexpr double kClosed = 1e-3;
+  const bool moved = system.contact()->letPointsMove(problem_.configuration);
+  const std::vector<ContactSystem::Pressing>& pressing = system.contact()->pressing();
+  // many that are held find that only in the long run
+  const bool all_move = std::all_of(pressing.begin(), pressing.end(),
+                                    [](const ContactSystem::Pressing& at) { return at.sharpness > 0.0; });
+  if (all_move) gap_tolerance_ = kClosed * kGapTolerance;
+  if (moved || system.contact()->worstGap() > gap_tolerance_) {
+    system.evaluate(problem_.configuration, RodSystem::Hessian::none);
+    system.holdStress();
+    Equilibrium cost;
+    if (!descend(unstable_, StartStress::held, cost)) {
+      problem_.configuration = before;
+      system.contact()->take(known);
+    }
+  }
+  system.evaluate(problem_.configuration, RodSystem::Hessian::exact);
+}
+
+// Known where what presses does so at sharp minima, which move, or at ends of cables. Of a blunt minimum the
+// elements know the second derivative too badly, and of a stretch that lies flat where it ends.
+double Branch::eigenvalueInContact() const {
+  const std::vector<ContactSystem::Pressing>& pressing = problem_.system->contact()->pressing();
+  const bool known = std::all_of(pressing.begin(), pressing.end(), [](const ContactSystem::Pressing& at) {
+    return at.sharpness > 0.0 || at.share <= 0.0 || at.share >= 1.0;
+  });
+  if (!known) return std::numeric_limits<double>::quiet_NaN();
+  Branch aside(*this);
+  aside.letPointsMove();
+  RodSystem& system = *aside.problem_.system;
+  system.evaluate(aside.problem_.configuration, RodSystem::Hessian::exact);
+  return smallestEigenvalueInContact(system, aside.problem_.configuration);
+}
+
 // A shape that is right on a grid which its softest motion is too fine for, as a straight twisted one is,
 // gets its grid refined for that.
 void Branch::findEigenvalue(Equilibrium& result) {
@@ -370,9 +423,7 @@ void Branch::findEigenvalue(Equilibrium& result) {
     RodSystem& coarse = *problem_.coarse;
     system.evaluate(problem_.configuration, RodSystem::Hessian::exact);
     if (system.contact() && !system.contact()->pressing().empty()) {
-      // places that are held are not the gap's minima, which move along the cable: it would come out too
-      // small
-      result.smallest_eigenvalue = std::numeric_limits<double>::quiet_NaN();
+      result.smallest_eigenvalue = eigenvalueInContact();
       return;
     }
     result.smallest_eigenvalue = smallestEigenvalue(system, problem_.configuration);
@@ -432,11 +483,11 @@ void Branch::noteForces(Equilibrium& result) const {
 }
 
 // Whether it is one: no tube enters a part.
-bool Branch::describeContact(Equilibrium& result) const {
+bool Branch::describeContact(Equilibrium& result) {
   const ContactSystem& contact = *problem_.system->contact();
   result.contacts = describeContacts(problem_.harness, problem_.topology, contact, problem_.configuration,
                                      options_.accuracy);
-  const ExactGap exact = exactGap(problem_.harness, contact, problem_.configuration, result.shapes);
+  const ExactGap exact = exactGapOf(result.shapes);
   result.smallest_gap = exact.gap;
   if (exact.gap >= -kTouching) return true;
   const PartContact& of = problem_.harness.contacts[exact.contact];
@@ -457,13 +508,12 @@ void Branch::finish(Equilibrium& result) {
   describe(problem_.harness, problem_.topology, *problem_.system, problem_.configuration, result);
   if (overstretched(result)) return;
   if (problem_.system->contact() && !describeContact(result)) return;
-  if (!result.contacts.empty()) result.smallest_eigenvalue = std::numeric_limits<double>::quiet_NaN();
   result.status = EquilibriumStatus::converged;
   noteForces(result);
   if (unstable_) {
     std::ostringstream text;
     text << "the only equilibrium found is unstable";
-    if (result.contacts.empty())
+    if (!std::isnan(result.smallest_eigenvalue))
       text << ": the smallest eigenvalue is " << result.smallest_eigenvalue << " N/m";
     result.status = EquilibriumStatus::unstable;
     result.message = text.str();
@@ -474,6 +524,7 @@ void Branch::finish(Equilibrium& result) {
 void Branch::carryTo(const Harness& harness, Topology topology) {
   Configuration& configuration = problem_.configuration;
   const std::vector<StationConfiguration> before = configuration.stations;
+  known_gap_.reset();
   problem_.harness = harness;
   problem_.topology = std::move(topology);
   for (std::size_t i = 0; i < configuration.stations.size(); ++i) {

@@ -3,8 +3,11 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include <cable_variation/equilibrium/discretisation/contact_result.h>
+#include <cable_variation/equilibrium/discretisation/contact_system.h>
 #include <cable_variation/equilibrium/discretisation/discretisation.h>
 #include <cable_variation/equilibrium/discretisation/problem.h>
 #include <cable_variation/equilibrium/equilibrium.h>
@@ -48,6 +51,11 @@ class Branch {
   /// To the shape of `harness`, which differs from the one at hand in numbers only; it has been checked that
   /// `topology` is alike. False: the branch ends on the way.
   bool follow(const Harness& harness, const Topology& topology, Equilibrium& result);
+  /// What parts press in one point moves along the cable from now on, as it does when the shape changes
+  /// (ContactSystem::letPointsMove()); the shape is brought to rest with it, on the same grid, and gaps
+  /// closed to a thousandth of kGapTolerance if all that press move. Where it finds no rest all stays as it
+  /// was. For a copy that is looked at, not followed.
+  void letPointsMove();
   /// Completes the result: reactions, energies, the smallest eigenvalue, and whether the shape is one that a
   /// cable can take.
   void finish(Equilibrium& result);
@@ -57,8 +65,9 @@ class Branch {
                int most_iterations = std::numeric_limits<int>::max());
   bool descendInContact(bool settle, StartStress stress, int iterations, Equilibrium& result);
   bool isClear(const Equilibrium& result);
+  ExactGap exactGapOf(const std::vector<CableShape>& shapes);
   bool followInContact(const Harness& harness, const Topology& topology, int pieces, Equilibrium& result);
-  bool describeContact(Equilibrium& result) const;
+  bool describeContact(Equilibrium& result);
   bool adaptGrid(double accuracy, bool forces, Equilibrium& result);
   void carryTo(const Harness& harness, Topology topology);
   struct OnGrid {
@@ -72,12 +81,19 @@ class Branch {
   bool overstretched(Equilibrium& result) const;
   bool lostInRounding(Equilibrium& result) const;
   void findEigenvalue(Equilibrium& result);
+  double eigenvalueInContact() const;
   void noteForces(Equilibrium& result) const;
 
   EquilibriumOptions options_;
   Problem problem_;
   double softened_ = INFINITY;  // slenderness that the systems are softened to
   bool unstable_ = false;
+  double gap_tolerance_ = kGapTolerance;  // [m]
+  struct GapAt {
+    std::vector<SpanConfiguration> spans;
+    ExactGap gap;
+  };
+  std::optional<GapAt> known_gap_;  // of the harness at hand
   double force_error_ = 0.0;
   Grid first_grid_;  // that following began with; empty: it has not begun
   int keep_ = 1;     // how many harnesses a finer grid is kept for

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <Eigen/Eigenvalues>
 
+#include <cable_variation/equilibrium/discretisation/held_contacts.h>
 #include <cable_variation/equilibrium/search/minimise.h>
 
 namespace cable_variation {
@@ -30,10 +32,9 @@ NodalField deterministicField(const RodSystem& system) {
   return field;
 }
 
-}  // namespace
-
-double smallestEigenvalue(RodSystem& system, const Configuration& configuration, NodalField* motion,
-                          const NodalField* near) {
+// Lanczos' method. `hold`: gaps that press are held.
+double smallest(RodSystem& system, const Configuration& configuration, NodalField* motion,
+                const NodalField* near, bool hold) {
   constexpr int kSteps = 24;
   const auto bending = system.bendingMetric();
   const auto surface = system.surfaceMetric();
@@ -43,10 +44,15 @@ double smallestEigenvalue(RodSystem& system, const Configuration& configuration,
     shift = std::max(1e-2, 4.0 * shift);
     system.evaluate(configuration, RodSystem::Hessian::exact);
   }
+  const std::optional<HeldContacts> held = hold ? std::make_optional<HeldContacts>(system) : std::nullopt;
+  const auto solve = [&](const NodalField& force, NodalField& response) {
+    system.solve(force, response);
+    if (held) held->hold(response);
+  };
   std::vector<NodalField> basis, weighted;
   Eigen::VectorXd diagonal(kSteps), off(kSteps);
   NodalField v;
-  system.solve(deterministicField(system), v);
+  solve(deterministicField(system), v);
   NodalField nv;
   system.applyMetric(surface, v, nv);
   double norm = std::sqrt(v.dot(nv));
@@ -65,7 +71,7 @@ double smallestEigenvalue(RodSystem& system, const Configuration& configuration,
     basis.push_back(v);
     weighted.push_back(nv);
     NodalField w;
-    system.solve(nv, w);
+    solve(nv, w);
     diagonal[k] = w.dot(nv);
     for (int twice = 0; twice < 2; ++twice) {
       for (std::size_t j = 0; j < basis.size(); ++j) w.addScaled(-w.dot(weighted[j]), basis[j]);
@@ -91,6 +97,17 @@ double smallestEigenvalue(RodSystem& system, const Configuration& configuration,
   const double eigenvalue = 1.0 / value - shift * mode.dot(shifted);
   if (motion != nullptr) *motion = mode;
   return eigenvalue;
+}
+
+}  // namespace
+
+double smallestEigenvalue(RodSystem& system, const Configuration& configuration, NodalField* motion,
+                          const NodalField* near) {
+  return smallest(system, configuration, motion, near, false);
+}
+
+double smallestEigenvalueInContact(RodSystem& system, const Configuration& configuration) {
+  return smallest(system, configuration, nullptr, nullptr, true);
 }
 
 }  // namespace cable_variation

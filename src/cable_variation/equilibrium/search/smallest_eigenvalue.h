@@ -11,5 +11,7 @@ namespace cable_variation {
 /// @param near the softest motion of a similar harness on the same grid: it is found faster from there
 double smallestEigenvalue(RodSystem& system, const Configuration& configuration, NodalField* motion = nullptr,
                           const NodalField* near = nullptr);
+/// The same among motions that open no gap which presses (HeldContacts): whatever the gaps' stiffness is.
+double smallestEigenvalueInContact(RodSystem& system, const Configuration& configuration);
 
 }  // namespace cable_variation

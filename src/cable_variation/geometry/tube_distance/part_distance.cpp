@@ -163,7 +163,7 @@ std::vector<std::uint32_t> solidsTouched(const Part& part, std::vector<TubeSecti
   for (TubeSection& section : sections) section.start_radius = section.end_radius = 0.0;
   const SectionTree tree(sections);
   std::vector<std::uint32_t> solids;
-  for (const Cell& cell : Walk(sections, tree, part.tree, nullptr, kInfinity, kTouching).run()) {
+  for (const Cell& cell : Walk(sections, tree, part.tree, nullptr, kTouching, kTouching).run()) {
     if (cell.at.value > kTouching) continue;
     touches = true;
     solids.push_back(part.solidOfTriangle(cell.triangle));
