@@ -25,6 +25,7 @@ Json variableJson(const DesignVariable& variable, double nominal, const Scene& s
 Json measureJson(const Measure& measure) {
   Json json = Json::object();
   json.set("name", measure.name).set("type", toString(measure.type)).set("unit", measure.unit);
+  if (!measure.segment.empty()) json.set("segment", measure.segment);
   json.set("has_lower", measure.lower.has_value()).set("lower", measure.lower.value_or(0.0));
   json.set("has_upper", measure.upper.has_value()).set("upper", measure.upper.value_or(0.0));
   return json;

@@ -6,8 +6,10 @@
 #include <cable_variation/analysis/design_trial.h>
 #include <cable_variation/analysis/design_values.h>
 #include <cable_variation/analysis/scene_loading.h>
+#include <cable_variation/equilibrium/require_converged.h>
 #include <cable_variation/measures/open_parts.h>
 #include <cable_variation/report/equilibrium_section.h>
+#include <cable_variation/report/route_table.h>
 #include <cable_variation/report/verdict_table.h>
 #include <cable_variation/util/chosen_indices.h>
 #include <cable_variation/util/number_text.h>
@@ -45,14 +47,25 @@ std::string figuresText(const Equilibrium& found) {
 
 std::string measuresText(const Scene& scene, const std::vector<MeasureValue>& measured) {
   if (measured.empty()) return "";
+  const std::vector<std::size_t> all = cable_variation::allIndices(scene.measures.size());
   cable_variation::MeasureEvidence evidence;
-  evidence.measures = cable_variation::allIndices(scene.measures.size());
-  for (const MeasureValue& value : measured) evidence.values.push_back(value.value);
-  std::string text = "\n" + tableText(verdictTable(scene, verdictsOf(scene, evidence), "value"));
+  evidence.measures = withoutPlainRoutes(scene, all);
+  for (const std::size_t index : evidence.measures) evidence.values.push_back(measured[index].value);
+  std::string text;
+  const cable_variation::ReportTable routes = routeTable(scene, all, measured);
+  if (!routes.rows.empty()) text += "\n" + tableText(routes);
+  if (!evidence.measures.empty())
+    text += "\n" + tableText(verdictTable(scene, verdictsOf(scene, evidence), "value"));
   for (std::size_t i = 0; i < measured.size(); ++i) {
     if (!measured[i].note.empty()) text += wrapped(scene.measures[i].name + ": " + measured[i].note);
   }
   return text;
+}
+
+// The design itself is solved already.
+DesignTrial trialOf(const LoadedDesign& design) {
+  requireConverged(design.equilibrium());
+  return {design.harness(), design.equilibrium(), design.solved().components};
 }
 
 class SolveVerb : public Verb {
@@ -76,7 +89,9 @@ class SolveVerb : public Verb {
     const ComponentPoses moved = placesAt(design.design(), request_.motion, request_.time);
     control.report({"solving"});
     const DesignTrial trial =
-        solveTrial(design.design(), values, moved, request_.follow ? &design.solver() : nullptr);
+        values.empty() && moved.empty()
+            ? trialOf(design)
+            : solveTrial(design.design(), values, moved, request_.follow ? &design.solver() : nullptr);
     return answer(design, trial, values, control);
   }
 

@@ -268,6 +268,30 @@ class CommandLineTest(unittest.TestCase):
         self.assertEqual(run('export', HARNESS, '--cables', 'nobody', cwd=self.folder).returncode, 2)
         self.assertEqual(run('export', HARNESS, '--step', '0mm', cwd=self.folder).returncode, 2)
 
+    def test_deviations_from_routes_go_back_beside_their_ids(self):
+        kbl = os.path.join(SOURCES, 'test', 'data', 'kbl', 'small.kbl')
+        self.good('import', kbl, '-o', 'routed.yaml')
+        text = self.good('solve', 'routed.yaml')
+        self.assertIn('How far cables are from their planned routes', text)
+        measures = {measure['name']: measure for measure in self.answer('solve', 'routed.yaml')['measures']}
+        answer = self.answer('export', 'routed.yaml', '--formats', 'routes', '--name', 'small')
+        self.assertEqual([os.path.basename(path) for path in answer['files']], ['small_routes.csv'])
+        with open(answer['files'][0], encoding='utf-8', newline='') as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual({row['segment'] for row in rows}, {measure['segment'] for measure in measures.values()})
+        for row in rows:
+            measure = measures[row['measure']]
+            self.assertAlmostEqual(float(row['deviation [m]']), measure['value'], delta=1e-12)
+            apart = math.dist([float(row['%s [m]' % axis]) for axis in 'xyz'],
+                              [float(row['route %s [m]' % axis]) for axis in 'xyz'])
+            self.assertAlmostEqual(apart, measure['value'], delta=1e-9)
+        self.good('solve', 'routed.yaml', '--report', 'routed')
+        with open(os.path.join(self.folder, 'routed.html'), encoding='utf-8') as file:
+            self.assertIn('planned routes', file.read())
+        result = run('export', HARNESS, '--formats', 'routes', cwd=self.folder)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn('no measure of the type route_deviation', result.stderr)
+
     def test_identify_finds_what_a_shape_was_made_with(self):
         loop = self.scene('loop.yaml', HANGING)
         self.answer('export', loop, '--set', 'EI=1.5e-4', 'a_rz=4deg', '--name', 'measured')

@@ -67,6 +67,33 @@ TEST(Eyelet, TransmitsTheMomentAndHardlyPushes) {
   EXPECT_GT((at.before.force - at.after.force).norm(), 0.5);  // but holds it in place
 }
 
+// Two clamps with a sliding clip between them, from `before` of a straight cable on; the clip starts 4 mm
+// behind the first clamp.
+Harness slidingBetweenClamps(double before, double length) {
+  Harness harness;
+  harness.cables = {uniformCable(length, solidSection(0.004, {1e8, 0.25, 2000.0}))};
+  harness.clips = {
+      clipOn(0, "A", before, fixedClip(), poseAt(0.0, 0.0, 0.0)),
+      clipOn(0, "slides", before + 0.004, slidingClip(), poseAt(0.07, 0.02, 0.01, {0.0, 0.1, 0.4})),
+      clipOn(0, "B", before + 0.2, fixedClip(), poseAt(0.17, 0.03, 0.0, {0.2, 0.0, -0.3}))};
+  return harness;
+}
+
+// Beyond its clamps a cable does nothing to what is between them: a clip comes to rest at the same place of a
+// long cable as of a short one, however short its room is of the whole.
+TEST(SlidingClipRoom, FindsItsPlaceInAShortRoomOfALongCable) {
+  const Equilibrium alone = solve(slidingBetweenClamps(0.0, 0.2), 1e-6);
+  ASSERT_TRUE(alone.converged()) << alone.message;
+  const double place = alone.clip_reactions[1].arc_length;
+  for (const double before : {0.5, 2.0, 4.0}) {
+    const Equilibrium result = solve(slidingBetweenClamps(before, before + 2.0), 1e-6);
+    ASSERT_TRUE(result.converged()) << before << ": " << result.message;
+    EXPECT_NEAR(result.clip_reactions[1].arc_length - before, place, 1e-5) << before;
+    EXPECT_LT((result.clip_reactions[1].force - alone.clip_reactions[1].force).norm(),
+              1e-3 * alone.clip_reactions[1].force.norm());
+  }
+}
+
 // Fixed at the same place, the sleeve's axial reaction is what the tip pulls, and nothing slides.
 TEST(FixedSleeve, HasNoConfigurationalForce) {
   const Equilibrium result = solve(rodInSleeve(fixedClip(), {0.0, 2.0, 0.0}), 1e-7);

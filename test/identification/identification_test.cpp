@@ -113,6 +113,18 @@ TEST(identification, says_what_the_points_do_not_tell) {
 }
 
 // Over many repeats the errors are as large as the standard deviations say.
+// What is left of the distances is told, too, where no unknown is found.
+TEST(identification, points_that_tell_nothing_have_their_noise) {
+  const Scene scene = hangingLoop({});
+  IdentificationTask task;
+  task.variables = variablesOf(scene, {"curl"});  // uniform, between two clamps
+  task.shapes = {shapeOf(scene, {{"EI", 0.9e-4}})};
+  const Identification found = identify(scene, task);
+  EXPECT_FALSE(found.determined[0]);
+  EXPECT_GT(found.fits[0].rms, 1e-3);
+  EXPECT_NEAR(found.noise, found.fits[0].rms / std::sqrt(2.0), 1e-12);
+}
+
 TEST(identification, standard_deviations_are_those_of_repeated_measurements) {
   constexpr double kNoise = 2e-3;  // [m]
   constexpr int kRepeats = 60;

@@ -93,6 +93,30 @@ TEST(ImportMapping, theDefaultsAreThoseOfTheDocumentation) {
   EXPECT_DOUBLE_EQ(mapping.accuracy, 1e-3);
 }
 
+TEST(ImportMapping, tablesAndRangesAreRead) {
+  const ImportMapping mapping = mappingOf(
+      "wires:\n  W-1: {conductor_area: 0.35 mm^2, diameter: 1.4 mm, mass_per_length: 5 g/m, EI: 1e-4}\n"
+      "protections:\n  P-1: {EI: 2e-3, GJ: 1e-3}\n  TAPE: {thickness: 0.3 mm, modulus: 50 MPa}\n"
+      "bundle: {sticking: 0.1, sticking_range: [0, 0.3], sticking_distribution: uniform}\nroute_limit: 20 "
+      "mm\n");
+  EXPECT_DOUBLE_EQ(mapping.wires.at("W-1").conductor_area.value(), 3.5e-7);
+  EXPECT_DOUBLE_EQ(mapping.wires.at("W-1").EI.value(), 1e-4);
+  EXPECT_FALSE(mapping.wires.at("W-1").modulus);
+  KblProtection tape;
+  tape.part_number = "P-1";
+  tape.type = "TAPE";
+  ASSERT_NE(mapping.ruleOf(tape), nullptr);
+  EXPECT_DOUBLE_EQ(mapping.ruleOf(tape)->EI.value(), 2e-3);  // its number comes first
+  tape.part_number = "P-2";
+  ASSERT_NE(mapping.ruleOf(tape), nullptr);
+  EXPECT_DOUBLE_EQ(mapping.ruleOf(tape)->thickness.value(), 3e-4);
+  tape.type = "TUBE";
+  EXPECT_EQ(mapping.ruleOf(tape), nullptr);
+  EXPECT_DOUBLE_EQ(mapping.sticking_range.value()[1], 0.3);
+  EXPECT_EQ(mapping.sticking_distribution, "uniform");
+  EXPECT_DOUBLE_EQ(mapping.route_limit.value(), 0.02);
+}
+
 struct Fault {
   std::string text;
   std::vector<std::string> said;
@@ -100,6 +124,12 @@ struct Fault {
 
 TEST(ImportMapping, faultsAreToldWithLineAndExpectation) {
   const std::vector<Fault> faults{
+      {"wires:\n  W-1: {area: 1 mm^2}\n", {"map.yaml:2", "wire 'W-1'", "unknown key 'area'"}},
+      {"wires: [W-1]\n", {"map.yaml:1", "expected a map from part numbers"}},
+      {"protections:\n  P: {thickness: 1 mm}\n", {"map.yaml:2", "expected both of thickness and modulus"}},
+      {"protections:\n  P: {thickness: 1 mm, modulus: 1 MPa, EI: 1}\n", {"the ones or the others"}},
+      {"bundle: {sticking: 0.5, sticking_range: [0, 0.1]}\n", {"map.yaml:1", "a range around sticking, 0.5"}},
+      {"bundle: {sticking_distribution: uniform}\n", {"it goes with sticking_range"}},
       {"part:\n  F-100: {clip: fixed}\n", {"map.yaml:1", "part", "did you mean 'parts'"}},
       {"parts:\n  F-100: {clip: fixt}\n", {"map.yaml:2", "part 'F-100'", "fixt", "fixed"}},
       {"parts:\n  F-100: {tolerance: a}\n", {"map.yaml:2", "part 'F-100'", "'clip' is missing"}},

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <random>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -12,6 +13,7 @@
 
 #include <cable_variation/equilibrium/equilibrium.h>
 #include <cable_variation/import/bundle_section.h>
+#include <cable_variation/import/segment_curve.h>
 
 #include "kbl_texts.h"
 
@@ -268,19 +270,178 @@ TEST(KblImport, whatIsNotMappedIsListed) {
   EXPECT_NE(text.find("# default: bundle.density: 2500 kg/m^3"), std::string::npos);
 }
 
-TEST(BundleSection, liesBetweenSlippingAndStickingWires) {
+// Wires of one kind: a bundle's bounds, in closed form.
+TEST(BundleSection, ofOneWireIsTheWire) {
   BundleRule rule;
-  rule.bending_modulus = rule.conductor_modulus;
-  const std::vector<BundleWire> wires(7, {1e-6, 0.01});
-  rule.sticking = 0.0;
-  // seven round conductors, each about its own axis: E A²/4π
-  EXPECT_NEAR(bundleSection(0.003, wires, 0.0, rule).EI_y, 7 * 1.1e11 * 1e-12 / (4 * M_PI), 1e-9);
-  rule.sticking = 1.0;
-  // spread evenly over the circle: E A R²/4
-  EXPECT_NEAR(bundleSection(0.003, wires, 0.0, rule).EI_y, 1.1e11 * 7e-6 * 9e-6 / 4, 1e-6);
-  EXPECT_NEAR(bundleSection(0.003, wires, 0.002, rule).mass_per_length, 0.072, 1e-12);
-  // without wires the conductors fill a share of it
-  EXPECT_NEAR(bundleSection(0.003, {}, 0.0, rule).EA, 1.1e11 * 0.25 * M_PI * 9e-6, 1e-3);
+  const BundleWire wire{0.5e-6, 0.006, 0.0016, {}, {}, {}};
+  const BundleBounds bounds = bundleBounds(0.0008, {wire}, {}, rule);
+  const double own = 0.5e-6 * 0.5e-6 / (4 * M_PI);
+  EXPECT_NEAR(bounds.slipping.EI_y, 1e10 * own, 1e-12);
+  EXPECT_NEAR(bounds.sticking.EI_y, 1.1e11 * own, 1e-12);  // its strands stick: a solid conductor
+  EXPECT_NEAR(bounds.slipping.EA, 1.1e11 * 0.5e-6, 1e-6);
+  EXPECT_NEAR(bounds.slipping.GJ * 1.3, bounds.slipping.EI_y, 1e-15);
+  EXPECT_NEAR(bounds.slipping.mass_per_length, 0.006, 1e-15);
+}
+
+// Wires at the places of a grid that lie in a circle, by the parallel axis theorem one by one: the more there
+// are, the nearer is the bound, which knows no places.
+TEST(BundleSection, stickingWiresAreTheParallelAxisSum) {
+  BundleRule rule;
+  const double pitch = 0.0016, A = 0.4e-6, E = rule.conductor_modulus;
+  for (const auto& [rings, tolerance] : std::map<double, double>{{3.0, 0.15}, {10.0, 0.03}, {30.0, 0.01}}) {
+    std::vector<BundleWire> wires;
+    double sum = 0.0;
+    const int most = static_cast<int>(rings) + 1;
+    for (int i = -most; i <= most; ++i) {
+      for (int k = -most; k <= most; ++k) {
+        const double y = pitch * i, z = pitch * k;
+        if (std::hypot(y, z) > rings * pitch) continue;
+        wires.push_back({A, 0.006, pitch, {}, {}, {}});
+        sum += E * (A * A / (4 * M_PI) + A * z * z);
+      }
+    }
+    // the circle in which there is one wire to each square of the grid; the squares' own share is the wires'
+    const double radius = pitch * std::sqrt(static_cast<double>(wires.size()) / M_PI);
+    EXPECT_NEAR(bundleBounds(radius, wires, {}, rule).sticking.EI_y / sum, 1.0, tolerance) << rings;
+  }
+}
+
+// Seven strands around each other touch: the centres of six are a diameter away, and the sum is 55 I.
+TEST(BundleSection, sevenTouchingWiresAreWithinAFewPercentOfTheirSum) {
+  BundleRule rule;
+  rule.conductor_share = 1.0;
+  const double d = 0.002, A = M_PI * d * d / 4, I = M_PI * std::pow(d, 4) / 64;
+  const std::vector<BundleWire> wires(7, {A, 0.02, d, {}, {}, {}});
+  // the mean radius of what seven touching circles cover, and the circle around them
+  const double sum = rule.conductor_modulus * 55 * I;
+  EXPECT_GT(bundleBounds(1.5 * d, wires, {}, rule).sticking.EI_y, sum);
+  EXPECT_LT(bundleBounds(1.5 * d, wires, {}, rule).sticking.EI_y, 1.16 * sum);
+  EXPECT_GT(bundleBounds(std::sqrt(7.0) / 2 * d, wires, {}, rule).sticking.EI_y, 0.8 * sum);
+}
+
+TEST(BundleSection, coversAndMeasuredWiresCount) {
+  BundleRule rule;
+  const BundleCover tube{0.02, 5.0, 0.3, 0.2};
+  const BundleWire measured{1e-6, 0.01, 0.002, 2e11, 4e-4, 3e-4};
+  const std::vector<BundleWire> wires{measured, {1e-6, 0.01, 0.002, {}, {}, {}}};
+  const double own = 1e-12 / (4 * M_PI);
+  const BundleBounds bounds = bundleBounds(0.003, wires, tube, rule);
+  EXPECT_NEAR(bounds.slipping.EI_y, 4e-4 + 1e10 * own + 0.3, 1e-12);
+  EXPECT_NEAR(bounds.slipping.GJ, 3e-4 + 1e10 * own / 1.3 + 0.2, 1e-12);
+  EXPECT_NEAR(bounds.slipping.EA, 2e5 + 1.1e5 + 5.0, 1e-6);
+  EXPECT_NEAR(bounds.slipping.mass_per_length, 0.04, 1e-12);
+  const double aside = 1e-6 * (9e-6 / 4 - 4e-6 / 16);
+  EXPECT_NEAR(bounds.sticking.EI_y, 2e11 * (own + aside) + 1.1e11 * (own + aside) + 0.3, 1e-9);
+  for (const double sticking : {0.0, 0.25, 1.0}) {
+    const Section between = sectionBetween(bounds, sticking);
+    EXPECT_NEAR(between.EI_y, (1 - sticking) * bounds.slipping.EI_y + sticking * bounds.sticking.EI_y, 1e-12);
+    EXPECT_NEAR(between.GJ, (1 - sticking) * bounds.slipping.GJ + sticking * bounds.sticking.GJ, 1e-12);
+  }
+  // without wires the conductors fill a share of the circle
+  EXPECT_NEAR(bundleBounds(0.003, {}, {}, rule).slipping.EA, 1.1e11 * 0.25 * M_PI * 9e-6, 1e-3);
+}
+
+// What is stiffer is so at both bounds, and sticking wires are never softer than slipping ones.
+TEST(BundleSection, boundsAreInOrder) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  BundleRule rule;
+  for (int i = 0; i < 200; ++i) {
+    std::vector<BundleWire> wires;
+    double area = 0.0;
+    for (int k = 0; k < 1 + i % 40; ++k) {
+      const double d = 0.001 + 0.004 * share(random);
+      BundleWire wire{(0.1 + 0.6 * share(random)) * M_PI * d * d / 4, 0.01, d, {}, {}, {}};
+      if (k % 3 == 0) wire.EI = 1e-3 * share(random);
+      area += M_PI * d * d / 4;
+      wires.push_back(wire);
+    }
+    const BundleBounds bounds = bundleBounds(std::sqrt(area / M_PI) * (1.0 + share(random)), wires, {}, rule);
+    EXPECT_LE(bounds.slipping.EI_y, bounds.sticking.EI_y);
+    EXPECT_LE(bounds.slipping.GJ, bounds.sticking.GJ);
+    EXPECT_GT(bounds.slipping.EI_y, 0.0);
+  }
+}
+
+// The range of sticking as tolerances of EI and GJ, and what a table and a tube change.
+TEST(KblImport, bundlesVaryBetweenTheirBounds) {
+  const std::string mapping = "bundle: {sticking: 0.02, sticking_range: [0.005, 0.08]}\n";
+  const ImportResult result = importOf(smallKbl(), mapping);
+  const Scene scene = sceneOf(sceneText(result.draft));
+  const auto variableOf = [](const Scene& of, const std::string& name) {
+    return named(of.design_variables, name);
+  };
+  const auto at = [&](double sticking) {
+    return importOf(smallKbl(), "bundle: {sticking: " + std::to_string(sticking) + "}")
+        .draft.cables[0]
+        .parts[0]
+        .section;
+  };
+  const DesignVariable EI = variableOf(scene, "Segment_1_EI"), GJ = variableOf(scene, "Segment_1_GJ");
+  EXPECT_EQ(EI.distribution, "triangular");
+  EXPECT_NEAR(EI.nominal, at(0.02).EI_y, 1e-9);
+  EXPECT_NEAR(EI.nominal + EI.lower, at(0.005).EI_y, 1e-9);
+  EXPECT_NEAR(EI.nominal + EI.upper, at(0.08).EI_y, 1e-9);
+  EXPECT_NEAR(GJ.nominal + GJ.upper, at(0.08).GJ, 1e-9);
+}
+
+TEST(KblImport, tablesOfWiresAndTubesCount) {
+  const Scene plain = sceneOf(sceneText(importOf(smallKbl()).draft));
+  const Scene tabled =
+      sceneOf(sceneText(importOf(smallKbl(),
+                                 "wires:\n  W-050: {conductor_area: 0.35 mm^2, mass_per_length: 5 g/m}\n"
+                                 "protections:\n  TAPE: {thickness: 0.5 mm, modulus: 100 MPa}\n")
+                            .draft));
+  const auto at = [](const Scene& scene, double s) {
+    return sectionAt(named(scene.harness.cables, "Segment_1"), s);
+  };
+  EXPECT_NEAR(at(tabled, 0.1).mass_per_length, 0.005 + 0.005 + 0.030, 1e-9);
+  EXPECT_NEAR(at(tabled, 0.1).EA, 1.1e11 * (0.35 + 0.35 + 2.0) * 1e-6, 1.0);
+  EXPECT_LT(at(tabled, 0.1).EI_y, at(plain, 0.1).EI_y);
+  // segment 2: a tube around half of it, 0.5 mm thick
+  const double r = at(plain, 0.3).radius, tube = 1e8 * M_PI / 4 * (std::pow(r + 5e-4, 4) - std::pow(r, 4));
+  const Scene bare = sceneOf(sceneText(
+      importOf(smallKbl(), "wires:\n  W-050: {conductor_area: 0.35 mm^2, mass_per_length: 5 g/m}\n").draft));
+  EXPECT_NEAR(at(tabled, 0.3).EI_y - at(bare, 0.3).EI_y, 0.5 * tube, 1e-6 * tube);
+  EXPECT_NEAR(at(tabled, 0.3).GJ - at(bare, 0.3).GJ, 0.5 * tube / 1.3, 1e-6 * tube);
+}
+
+// A cross-section that its wires do not fit into is told, and is theirs.
+TEST(KblImport, wiresThatDoNotFitMakeTheBundleThicker) {
+  ImportMapping mapping;
+  mapping.wires["W-050"].diameter = 0.02;
+  const ImportResult result = importKbl(readKblText(smallKbl(), "small.kbl"), mapping);
+  EXPECT_EQ(findingOf(result, Kind::thin_cross_section).id, "Segment_1");
+  const double area = 2 * M_PI * 1e-4 + 2e-6 / mapping.bundle.conductor_share;
+  EXPECT_NEAR(result.draft.cables[0].parts[0].section.radius, std::sqrt(area / M_PI), 1e-9);
+}
+
+// Each segment with a sound curve is compared with it.
+TEST(KblImport, segmentsAreComparedWithTheirRoutes) {
+  const ImportResult result = importOf(smallKbl(), "route_limit: 40 mm\nrest_shape: curve\n");
+  const Scene scene = sceneOf(sceneText(result.draft));
+  const KblDocument document = readKblText(smallKbl(), "small.kbl");
+  ImportFindings findings;
+  const auto curves = soundCurves(document, findings);
+  ASSERT_EQ(scene.measures.size(), document.segments.size());
+  for (std::size_t i = 0; i < document.segments.size(); ++i) {
+    const Measure& measure = named(scene.measures, document.segments[i].id);
+    EXPECT_EQ(measure.type, Measure::Type::route_deviation);
+    EXPECT_EQ(measure.segment, document.segments[i].id);
+    EXPECT_EQ(measure.upper, 0.04);
+    EXPECT_NEAR(measure.to - measure.from, curves[i]->length(), 1e-5);
+    // places of the curve are within a tenth of a millimetre of the route, which runs along the cable
+    for (int k = 0; k <= 50; ++k) {
+      const Vector3d place = curves[i]->at(curves[i]->length() * k / 50).position;
+      double nearest = INFINITY;
+      for (std::size_t j = 0; j + 1 < measure.route.size(); ++j) {
+        const Vector3d way = measure.route[j + 1] - measure.route[j];
+        const double share = std::clamp((place - measure.route[j]).dot(way) / way.squaredNorm(), 0.0, 1.0);
+        nearest = std::min(nearest, (measure.route[j] + share * way - place).norm());
+      }
+      EXPECT_LT(nearest, 1.2e-4);
+    }
+  }
 }
 
 TEST(SceneName, holdsWhatAFrameMay) {

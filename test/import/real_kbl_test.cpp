@@ -78,5 +78,30 @@ TEST(RealKbl, becomeScenesThatSolve) {
   }
 }
 
+// By the documentation's mapping, with ducts that harnesses slide through: it solves, nothing that the import
+// wrote is implausible, and each segment with a sound curve is compared with it.
+TEST(RealKbl, solveByTheDocumentedMapping) {
+  const std::vector<std::string> files = realFiles();
+  if (files.empty()) GTEST_SKIP() << "no files in $CABLE_VARIATION_DATA/kbl";
+  const std::string page = contentsOf(findTestPackage("cable_variation") + "/doc/import.md");
+  const std::size_t begin = page.find("```yaml\n") + 8;
+  const ImportMapping mapping =
+      readImportMappingText(page.substr(begin, page.find("```", begin) - begin), "import.md");
+  for (const std::string& file : files) {
+    const KblDocument document = readKbl(file);
+    const Scene scene = sceneOf(sceneText(importKbl(document, mapping).draft));
+    for (const SceneFault& warning : scene.warnings) ADD_FAILURE() << file << ": " << warning.message;
+    ImportFindings findings;
+    const auto curves = soundCurves(document, findings);
+    const auto sound =
+        std::count_if(curves.begin(), curves.end(), [](const auto& curve) { return curve.has_value(); });
+    EXPECT_EQ(static_cast<long>(scene.measures.size()), sound);
+    EquilibriumOptions options;
+    options.accuracy = scene.accuracy;
+    const Equilibrium found = EquilibriumSolver(options).solve(scene.harness);
+    EXPECT_TRUE(found.converged()) << file << ": " << found.message;
+  }
+}
+
 }  // namespace
 }  // namespace cable_variation

@@ -40,6 +40,7 @@ Measure measureOf(const MeasureTraits& traits, std::vector<std::size_t> cables) 
   made.arc_length = traits.subject == Subject::cable ? std::optional<double>(0.1) : std::nullopt;
   made.direction = Eigen::Vector3d::UnitZ();
   made.to = 0.2;
+  made.route = {{0.0, 0.05, 0.1}, {0.2, 0.05, 0.1}};
   return made;
 }
 

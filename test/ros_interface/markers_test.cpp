@@ -2,12 +2,15 @@
 #include <ros_interface/display/marker_channel.h>
 #include <ros_interface/markers/cable_markers.h>
 #include <ros_interface/markers/clip_markers.h>
+#include <ros_interface/markers/colour_map.h>
 #include <ros_interface/markers/contact_markers.h>
+#include <ros_interface/markers/route_markers.h>
 
 #include <gtest/gtest.h>
 
 #include <cable_variation/equilibrium/equilibrium.h>
 #include <cable_variation/harness/clip_preset.h>
+#include <cable_variation/scene/scene.h>
 
 namespace cable_variation_ros {
 namespace {
@@ -133,6 +136,49 @@ TEST_F(CableMarkers, ForcesOfContactAreArrowsOfSomeMillimetres) {
   ASSERT_EQ(labels.size(), 2u);
   EXPECT_EQ(labels[0].text, "3 N");
   EXPECT_EQ(labels[1].text, "0.01 N");
+}
+
+// Routes run from point to point in the colour of their deviation, the largest in viridis' last; the largest
+// and those beyond their limit are labelled.
+TEST(RouteMarkers, AreLinesInTheColourOfTheirDeviation) {
+  Scene scene;
+  std::vector<MeasureValue> values(4);
+  const char* names[] = {"near", "far", "else", "unknown"};
+  for (std::size_t i = 0; i < 4; ++i) {
+    Measure measure;
+    measure.name = names[i];
+    measure.type = i == 2 ? Measure::Type::energy : Measure::Type::route_deviation;
+    measure.route = {{0, 0, 0}, {0.1, 0, 0}, {0.2, 0.1, 0}};
+    scene.measures.push_back(measure);
+    values[i].value = i == 3 ? std::nan("") : 0.01 * static_cast<double>(i);
+    values[i].has_other = i < 2;
+    values[i].point = {0.1, 0.0, 0.01 * static_cast<double>(i)};
+    values[i].other = {0.1, 0.0, 0.0};
+  }
+  scene.measures[0].upper = -1.0;  // beyond it, whatever it is
+  const std::vector<Marker> markers = routeMarkers(scene, values).markers;
+  ASSERT_EQ(markers.size(), 5u);  // two routes with where they are furthest, one without
+  EXPECT_EQ(markers[0].ns, "route/near");
+  EXPECT_EQ(markers[2].ns, "route/far");
+  EXPECT_EQ(markers[4].ns, "route/unknown");
+  for (const std::size_t route : {0u, 2u, 4u}) {
+    EXPECT_EQ(markers[route].type, Marker::LINE_LIST);
+    ASSERT_EQ(markers[route].points.size(), 4u);
+    EXPECT_EQ(markers[route].points[3].y, 0.1);
+  }
+  EXPECT_EQ(markers[3].points[0].z, 0.01);
+  const auto hasColour = [&](const Marker& marker, const Eigen::Vector3d& colour) {
+    return (Eigen::Vector3d(marker.color.r, marker.color.g, marker.color.b) - colour).norm() < 1e-5;
+  };
+  EXPECT_TRUE(hasColour(markers[0], viridis(0.0)));
+  EXPECT_TRUE(hasColour(markers[2], viridis(1.0)));
+  EXPECT_TRUE(hasColour(markers[4], viridis(std::nan(""))));
+  const std::vector<Label> labels = routeLabels(scene, values);
+  ASSERT_EQ(labels.size(), 2u);
+  EXPECT_EQ(labels[0].kind, Label::FAULT);
+  EXPECT_EQ(labels[1].kind, Label::FIGURE);
+  EXPECT_EQ(labels[1].text, "far 10 mm");
+  EXPECT_EQ(routeMarkers(scene, {}).markers.size(), 3u);  // without an equilibrium all are grey
 }
 
 /// Types and sizes of a clip's markers.

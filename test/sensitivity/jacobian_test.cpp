@@ -140,6 +140,14 @@ void addMeasures(Scene& scene) {
       m.axis = Axis::z;
     });
   }
+  for (const double from : {0.0, 0.13}) {
+    add(Type::route_deviation, "route_from_" + std::to_string(from), [&](Measure& m) {
+      m.cables = {0};
+      m.from = from * length;
+      m.to = from > 0.0 ? 0.83 * length : length;
+      m.route = {{0.01, 0.02, 0.01}, {0.07, -0.03, 0.04}, {0.15, 0.03, 0.06}, {0.2, 0.01, -0.02}};
+    });
+  }
   if (scene.harness.clips[held].constraint.slides)
     add(Type::slide, "slide", [&](Measure& m) { m.clip = held; });
   add(Type::energy, "energy", as_is);

@@ -243,6 +243,16 @@ void tellSpread(const Eigen::MatrixXd& rates, const Eigen::VectorXd& residuals, 
   }
 }
 
+/// Of shapes that nothing was fitted to: each point tells two directions.
+double noiseOf(const std::vector<ShapeFit>& fits) {
+  double squares = 0.0, directions = 0.0;
+  for (const ShapeFit& fit : fits) {
+    for (const double distance : fit.distances) squares += distance * distance;
+    directions += 2.0 * static_cast<double>(fit.distances.size());
+  }
+  return std::sqrt(squares / directions);
+}
+
 /// All unknowns at once; deviations are in their widths.
 Identification fitAll(const Scene& scene, const IdentificationTask& task) {
   Residuals residuals(scene, task);
@@ -323,6 +333,7 @@ Identification identify(const Scene& scene, const IdentificationTask& task) {
   }
   Identification none;
   none.fits = compare(scene, {}, task.shapes);
+  none.noise = noiseOf(none.fits);
   none.solves = solves;
   none.converged = true;
   return widened(scene, task, {}, none);

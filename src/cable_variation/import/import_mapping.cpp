@@ -6,6 +6,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include <cable_variation/harness/clip_preset.h>
+#include <cable_variation/import/bundle_mapping.h>
 #include <cable_variation/scene_file/scene_reader.h>
 #include <cable_variation/scene_file/yaml_cursor.h>
 #include <cable_variation/scene_file/yaml_document.h>
@@ -102,28 +103,6 @@ std::map<std::string, ToleranceClass> readTolerances(const YamlCursor& map) {
   return classes;
 }
 
-void readBundle(const YamlCursor& map, ImportMapping& mapping) {
-  BundleRule& rule = mapping.bundle;
-  constexpr double kNoArea = 0.0;
-  if (!map.checkKeys({"conductor_modulus", "bending_modulus", "sticking", "poisson_ratio", "density",
-                      "conductor_share", "wire_area"})) {
-    return;
-  }
-  for (const auto& entry : map.entries()) mapping.given.insert("bundle." + entry.first);
-  const Range share{0.0, 1.0, false};
-  static const Quantity kArea{"an area", "m^2", "0.5 mm^2", {0, 2, 0, 0}, "m^2, mm^2"};
-  rule.conductor_modulus =
-      map.number("conductor_modulus", quantity::pressure, Range::positive(), rule.conductor_modulus);
-  rule.bending_modulus =
-      map.number("bending_modulus", quantity::pressure, Range::positive(), rule.bending_modulus);
-  rule.sticking = map.number("sticking", quantity::number, share, rule.sticking);
-  rule.poisson_ratio = map.number("poisson_ratio", quantity::number, {-1.0, 0.5, true}, rule.poisson_ratio);
-  rule.density = map.number("density", quantity::density, Range::positive(), rule.density);
-  rule.conductor_share =
-      map.number("conductor_share", quantity::number, {kNoArea, 1.0, true}, rule.conductor_share);
-  rule.wire_area = map.number("wire_area", kArea, Range::positive(), rule.wire_area);
-}
-
 void checkTolerance(const YamlCursor& root, const std::string& who, const std::string& name,
                     const ImportMapping& mapping) {
   if (name.empty() || mapping.tolerances.count(name) > 0) return;
@@ -133,15 +112,17 @@ void checkTolerance(const YamlCursor& root, const std::string& who, const std::s
 }
 
 void readMapping(const YamlCursor& root, const YAML::Node& node, ImportMapping& mapping) {
-  if (!root.checkKeys({"parts", "types", "tolerances", "cable_tolerance", "bundle", "length", "rest_shape",
-                       "least_bend", "via_spacing", "accuracy"})) {
+  if (!root.checkKeys({"parts", "types", "tolerances", "cable_tolerance", "wires", "protections", "bundle",
+                       "length", "rest_shape", "least_bend", "via_spacing", "route_limit", "accuracy"})) {
     return;
   }
   for (const auto& entry : root.entries()) mapping.given.insert(entry.first);
   if (const auto map = root.find("tolerances")) mapping.tolerances = readTolerances(*map);
   if (const auto map = root.find("parts")) mapping.parts = readRules(*map, node["parts"], "part");
   if (const auto map = root.find("types")) mapping.types = readRules(*map, node["types"], "type");
-  if (const auto map = root.find("bundle")) readBundle(*map, mapping);
+  if (const auto map = root.find("wires")) mapping.wires = readWireRules(*map);
+  if (const auto map = root.find("protections")) mapping.protections = readProtectionRules(*map);
+  if (const auto map = root.find("bundle")) readBundleRule(*map, mapping);
   if (root.has("length")) {
     mapping.length = root.choice("length", {"virtual", "physical"}) == 0 ? LengthSource::virtual_length
                                                                          : LengthSource::physical_length;
@@ -155,6 +136,8 @@ void readMapping(const YamlCursor& root, const YAML::Node& node, ImportMapping& 
   const Range bend{0.5, 100.0, false};
   mapping.least_bend = root.number("least_bend", quantity::number, bend, mapping.least_bend);
   mapping.via_spacing = root.number("via_spacing", quantity::length, spacing, mapping.via_spacing);
+  if (const auto limit = root.find("route_limit"))
+    mapping.route_limit = limit->number(quantity::length, Range::positive());
   mapping.accuracy = root.number("accuracy", quantity::length, accuracy, mapping.accuracy);
   if (const auto name = root.find("cable_tolerance")) {
     mapping.cable_tolerance = name->text();
@@ -178,6 +161,14 @@ const PartRule* ImportMapping::ruleOf(const KblOccurrence& part) const {
   if (const auto rule = parts.find(part.part_number); rule != parts.end()) return &rule->second;
   for (const std::string& type : {part.type, part.element}) {
     if (const auto rule = types.find(type); !type.empty() && rule != types.end()) return &rule->second;
+  }
+  return nullptr;
+}
+
+const ProtectionRule* ImportMapping::ruleOf(const KblProtection& protection) const {
+  for (const std::string& name : {protection.part_number, protection.type}) {
+    if (const auto rule = protections.find(name); !name.empty() && rule != protections.end())
+      return &rule->second;
   }
   return nullptr;
 }

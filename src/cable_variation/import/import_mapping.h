@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <set>
@@ -28,6 +29,22 @@ struct ToleranceClass {
   double sigma = 3.0;                ///< standard deviations from the middle to the limit
 };
 
+/// A part of wire by its supplier's table: what is here counts, not what the harness's file says.
+struct WireRule {
+  std::optional<double> conductor_area;   ///< [m²]
+  std::optional<double> diameter;         ///< insulation included [m]
+  std::optional<double> mass_per_length;  ///< [kg/m]
+  std::optional<double> modulus;          ///< of the conductor when it is drawn [Pa]
+  std::optional<double> EI, GJ;           ///< of one wire [N m²]
+};
+
+/// Likewise tape or tube: its own stiffness, or that of a tube with this wall around the bundle.
+struct ProtectionRule {
+  std::optional<double> mass_per_length;     ///< [kg/m]
+  std::optional<double> EA, EI, GJ;          ///< [N], [N m²], [N m²]
+  std::optional<double> thickness, modulus;  ///< of the wall [m], [Pa]
+};
+
 enum class ImportedRestShape {
   straight,  ///< the harness is made straight
   curve      ///< it is made in the form of its centre curves
@@ -38,17 +55,25 @@ struct ImportMapping {
   std::map<std::string, PartRule> parts;  ///< by part number
   std::map<std::string, PartRule> types;  ///< by Fixing_type or Usage, or by the element's name
   std::map<std::string, ToleranceClass> tolerances;
-  std::string cable_tolerance;  ///< class of all cables; empty: none
+  std::string cable_tolerance;                        ///< class of all cables; empty: none
+  std::map<std::string, WireRule> wires;              ///< by part number
+  std::map<std::string, ProtectionRule> protections;  ///< by part number, or by Protection_type
   BundleRule bundle;
+  /// Where between its bounds production makes a bundle: lowest and highest sticking, and how it is spread.
+  std::optional<std::array<double, 2>> sticking_range;
+  std::string sticking_distribution = "triangular";
   LengthSource length = LengthSource::virtual_length;
   ImportedRestShape rest_shape = ImportedRestShape::straight;
-  double least_bend = 2.0;      ///< radius of bends at rest, over the diameter
-  double via_spacing = 0.025;   ///< of points on the centre curves [m]
-  double accuracy = 1e-3;       ///< of the scene [m]
-  std::set<std::string> given;  ///< keys above that the file has, "bundle.density" likewise
+  double least_bend = 2.0;            ///< radius of bends at rest, over the diameter
+  double via_spacing = 0.025;         ///< of points on the centre curves [m]
+  std::optional<double> route_limit;  ///< of the deviation from the centre curves [m]
+  double accuracy = 1e-3;             ///< of the scene [m]
+  std::set<std::string> given;        ///< keys above that the file has, "bundle.density" likewise
 
   /// The rule for a part: by its number, else by its type, else by its element; null: none is there.
   const PartRule* ruleOf(const KblOccurrence& part) const;
+  /// Likewise for tape or tube: by its part number, else by its type.
+  const ProtectionRule* ruleOf(const KblProtection& protection) const;
 };
 
 /// Reads a mapping file (YAML, see doc/import.md). Throws SceneError with all of its faults, each with its

@@ -9,6 +9,7 @@
 #include <cable_variation/import/cable_paths.h>
 #include <cable_variation/import/cable_route.h>
 #include <cable_variation/import/segment_bundles.h>
+#include <cable_variation/import/segment_route.h>
 #include <cable_variation/math/so3.h>
 #include <cable_variation/scene_file/scene_reader.h>
 #include <cable_variation/scene_file/value_text.h>
@@ -55,7 +56,7 @@ class KblImport {
     result_.findings = document.findings;
     shapes_.curves = soundCurves(document, result_.findings);
     shapes_.lengths = segmentLengths(document, shapes_.curves, mapping.length);
-    bundles_ = segmentBundles(document, mapping.bundle, result_.findings);
+    bundles_ = segmentBundles(document, mapping, result_.findings);
     reportTightBends();
     makeGraph();
     reportRings();
@@ -72,6 +73,8 @@ class KblImport {
     makeJoints();
     keepHeldClips();
     makeVariables();
+    makeBundleVariables();
+    makeRoutes();
     listDefaults();
     writeHead();
     return std::move(result_);
@@ -100,6 +103,7 @@ class KblImport {
   }
 
   void reportTightBends() {
+    if (mapping_.rest_shape != ImportedRestShape::curve) return;  // it is made straight
     for (std::size_t i = 0; i < document_.segments.size(); ++i) {
       const KblSegment& segment = document_.segments[i];
       const double least = 2.0 * mapping_.least_bend * bundles_[i].section.radius;
@@ -456,6 +460,57 @@ class KblImport {
       addVariable(names, cable.name + "_length",
                   "cable: \"" + cable.name + "\", property: length, clips: scale",
                   lengthText(*tolerance->second.length), tolerance->second.sigma);
+    }
+  }
+
+  // EI and GJ of each cable between what its first bundle has where wires stick least and most.
+  void makeBundleVariables() {
+    if (!mapping_.sticking_range) return;
+    Names names;
+    for (std::size_t i = 0; i < paths_.paths.size(); ++i) {
+      if (!cables_[i]) continue;
+      const SegmentBundle& bundle = bundles_[paths_.paths[i].parts.front().segment];
+      const Section low = sectionBetween(bundle.bounds, (*mapping_.sticking_range)[0]);
+      const Section high = sectionBetween(bundle.bounds, (*mapping_.sticking_range)[1]);
+      const std::string& cable = result_.draft.cables[*cables_[i]].name;
+      for (const auto& [property, of] :
+           {std::pair<const char*, double Section::*>("EI", &Section::EI_y), {"GJ", &Section::GJ}}) {
+        const double lower = low.*of - bundle.section.*of, upper = high.*of - bundle.section.*of;
+        if (!(upper > lower)) continue;
+        result_.draft.variables.push_back(
+            {names.give(cable + "_" + property),
+             "cable: \"" + cable + "\", property: " + property + ", tolerance: [" + numberText(lower, 9) +
+                 " N m^2, " + numberText(upper, 9) +
+                 " N m^2], distribution: {type: " + mapping_.sticking_distribution + "}"});
+      }
+    }
+  }
+
+  // A measure for each segment in the scene whose curve is sound.
+  void makeRoutes() {
+    constexpr double kTolerance = 1e-4;        // of the points from the curve [m]
+    constexpr double kShortest = 1e-5;         // that is a stretch [m]
+    constexpr std::size_t kMostPoints = 1000;  // of a scene file
+    Names names;
+    for (std::size_t i = 0; i < document_.segments.size(); ++i) {
+      const auto place = segment_places_.find(i);
+      if (!shapes_.curves[i] || place == segment_places_.end() || !cables_[place->second.first]) continue;
+      const auto [path, part] = place->second;
+      SceneDraft::Route route;
+      route.segment = document_.segments[i].id;
+      route.cable = *cables_[path];
+      route.from = routes_[path].partStart(part);
+      route.to = routes_[path].partStart(part + 1);
+      route.limit = mapping_.route_limit;
+      double tolerance = kTolerance;
+      do {
+        route.points = routePoints(*shapes_.curves[i], tolerance);
+        tolerance *= 2.0;
+      } while (route.points.size() > kMostPoints);
+      if (route.points.size() < 2 || route.to - route.from < kShortest) continue;
+      if (paths_.paths[path].parts[part].reversed) std::reverse(route.points.begin(), route.points.end());
+      route.name = names.give(route.segment);
+      result_.draft.routes.push_back(std::move(route));
     }
   }
 

@@ -19,6 +19,16 @@ std::string comment(const std::string& text, const std::string& indent = "") {
 // A name is quoted if YAML would take it for something else, as a number.
 std::string nameText(const std::string& name) { return "\"" + name + "\""; }
 
+// Any text, between quotes.
+std::string quotedText(const std::string& text) {
+  std::string quoted = "\"";
+  for (const char c : readableText(text)) {
+    if (c == '"' || c == '\\') quoted += '\\';
+    quoted += c;
+  }
+  return quoted + "\"";
+}
+
 std::string stiffnessText(const Section& section) {
   const auto number = [](double value) { return numberText(value, kDigits); };
   return "{EA: " + number(section.EA) + ", GA: " + number(section.GA_y) + ", EI: " + number(section.EI_y) +
@@ -105,6 +115,17 @@ std::string sceneText(const SceneDraft& draft) {
   if (!draft.variables.empty()) text += "\ndesign_variables:\n";
   for (const SceneDraft::Variable& variable : draft.variables)
     text += "  - {name: " + nameText(variable.name) + ", " + variable.rest + "}\n";
+  if (!draft.routes.empty()) text += "\nmeasures:\n";
+  for (const SceneDraft::Route& route : draft.routes) {
+    const SceneDraft::Cable& cable = draft.cables[route.cable];
+    text += "  - name: " + nameText(route.name) +
+            "\n    type: route_deviation\n    segment: " + quotedText(route.segment) +
+            "\n    cable: " + nameText(cable.name) + "\n    from: " + placeText(route.from, cable.length) +
+            "\n    to: " + placeText(route.to, cable.length) + "\n";
+    if (route.limit) text += "    upper: " + lengthText(*route.limit) + "\n";
+    text += "    route:\n";
+    writePoints(text, route.points, "      ");
+  }
   return text;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,15 @@ struct SceneDraft {
     bool child_end = false;  ///< its end sits there, not its start
     Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
   };
+  /// A stretch of a cable compared with the route planned for it.
+  struct Route {
+    std::string name;
+    std::string segment;  ///< id in the file
+    std::size_t cable = 0;
+    double from = 0.0, to = 0.0;          ///< [m]
+    std::vector<Eigen::Vector3d> points;  ///< along the cable [m, world]
+    std::optional<double> limit;          ///< of the deviation [m]
+  };
   struct Variable {
     std::string name;
     std::string rest;  ///< keys with values
@@ -60,6 +70,7 @@ struct SceneDraft {
   std::vector<Clip> clips;
   std::vector<Joint> joints;
   std::vector<Variable> variables;
+  std::vector<Route> routes;
 };
 
 /// The scene file of a draft.

@@ -6,6 +6,7 @@
 #include <cable_variation/measures/measure_clip.h>
 #include <cable_variation/measures/measure_contact.h>
 #include <cable_variation/measures/measure_distance.h>
+#include <cable_variation/measures/measure_route.h>
 #include <cable_variation/measures/measure_shape.h>
 #include <cable_variation/measures/measure_similarity.h>
 #include <cable_variation/measures/measure_strength.h>
@@ -99,6 +100,7 @@ constexpr std::array<MeasureFunctions, enumeratorCount<Type>()> kFunctions{{
     {Type::slide, plainValue<slideValue>, rateOfSlide},
     {Type::contact_force, plainValue<contactValue>, plainRate<contactForceRate>},
     {Type::contact_length, plainValue<contactValue>, notKnown},
+    {Type::route_deviation, plainValue<routeDeviationValue>, routeDeviationRate},
     {Type::energy, figureOf<elasticEnergy>, rateOfEnergy},
     {Type::eigenvalue, figureOf<smallestEigenvalue>, leftToTheSolver},
 }};

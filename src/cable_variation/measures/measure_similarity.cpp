@@ -4,67 +4,20 @@
 #include <cmath>
 
 #include <cable_variation/geometry/tube_distance/hausdorff.h>
-#include <cable_variation/math/extremum.h>
+#include <cable_variation/measures/curve_difference.h>
 
 namespace cable_variation {
 namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kFinest = 1e-9;   // [m]
-constexpr double kNominal = 1e-9;  // [m] shapes closer than that are the nominal one: rounding of a re-solve
-
-// A small shift is found to a share of itself, since derivatives are its limit; nothing is found finer than
-// it needs to be, for that takes long.
-template <class Of>
-Hausdorff foundBy(Of hausdorff, const Centreline& a, const Centreline& b) {
-  constexpr double kAccuracy = 1e-6, kShare = 1e-5;
-  const Hausdorff rough = hausdorff(a, b, kAccuracy);
-  const double accuracy = std::max(kFinest, kShare * rough.distance);
-  return accuracy < kAccuracy ? hausdorff(a, b, accuracy) : rough;
-}
-
-// How fast a place leaves the nominal curve, seen across it.
-double leavingRate(const CableView& view, const Place& place, const Vector3d& shift) {
-  const Vector3d along = view.line().pieces[place.piece].curve.first(place.t);
-  return (shift - shift.dot(along) / along.squaredNorm() * along).norm();
-}
-
-// The same at an end, or where the tangent has a kink, at a clip whose force jumps. `arms`: unit directions
-// in which the curve goes on. The nominal curve is left by the shifted point, or it by the shifted curve.
-double leavingRateAtCorner(const std::vector<Vector3d>& arms, const Vector3d& shift, double radius_rate) {
-  const auto distanceTo = [&](const Vector3d& point) {
-    double smallest = point.norm();
-    for (const Vector3d& arm : arms) {
-      const double along = point.dot(arm);
-      if (along > 0.0) smallest = std::min(smallest, (point - along * arm).norm());
-    }
-    return smallest;
-  };
-  return std::max(distanceTo(shift) + radius_rate, distanceTo(-shift) - radius_rate);
-}
+constexpr double kFinest = 1e-9;  // [m]
 
 double limitOfCurve(const CableView& view, const CableRates& rates, bool surface) {
-  const std::size_t pieces = view.pieces().size();
-  std::vector<CurvePiece> shifts;
-  shifts.reserve(pieces);
-  for (std::size_t i = 0; i < pieces; ++i) shifts.push_back(view.curveRate(i, rates));
+  const std::size_t last = view.pieces().size() - 1;
   const double radius = surface ? view.rate({0, 0.0}, rates).radius : 0.0;  // the same all along
-  const auto leaving = [&](std::size_t piece, double t) {
-    return leavingRate(view, {piece, t}, shifts[piece].position(t)) + std::abs(radius);
-  };
-  constexpr double kShare = 1e-4;  // of t: the maximum itself is then right to about 1e-8
-  double largest = largestAlong<4>(pieces, leaving, kShare).value;
-  for (std::size_t i = 0; i <= pieces; ++i) {
-    // two points at one arc length, or an end
-    if (i > 0 && i < pieces && view.pieces()[i - 1].point + 1 == view.pieces()[i].point) continue;
-    std::vector<Vector3d> arms;
-    if (i > 0) arms.push_back(-view.end(i - 1).tangent.normalized());
-    if (i < pieces) arms.push_back(view.start(i).tangent.normalized());
-    const Vector3d shift = i < pieces ? shifts[i].position(0.0) : shifts[i - 1].position(1.0);
-    largest = std::max(largest, leavingRateAtCorner(arms, shift, radius));
-  }
-  return largest;
+  return leavingRate(view, rates, {0, 0.0}, {last, 1.0}, view.start(0, rates).position,
+                     view.end(last, rates).position, radius);
 }
 
 bool hasOneRadius(const Centreline& line) {
@@ -154,7 +107,7 @@ MeasureValue similarityValue(const MeasureContext& context, const Measure& measu
 
 RateOfMeasure similarityRate(const MeasureContext& context, const Measure& measure,
                              const MeasureValue& value) {
-  if (value.value <= kNominal)
+  if (value.value <= kSameShape)
     return [&](const MeasureRates& rates) { return limitAtNominal(context, measure, rates); };
   return [&](const MeasureRates& rates) {
     const PlaceRate at = context.cables[value.cable].rate(value.trace.place, rates.cable(value.cable));

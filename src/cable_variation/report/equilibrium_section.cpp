@@ -7,6 +7,7 @@
 #include <cable_variation/equilibrium/bend_radius.h>
 #include <cable_variation/report/cable_profile.h>
 #include <cable_variation/report/markup.h>
+#include <cable_variation/report/route_table.h>
 
 namespace cable_variation {
 
@@ -92,7 +93,9 @@ std::vector<ReportTable> equilibriumTables(const SolvedScene& solved) {
   return tables;
 }
 
-ReportSection equilibriumSection(const Scene& scene, const SolvedScene& solved) {
+ReportSection equilibriumSection(const Scene& scene, const SolvedScene& solved,
+                                 const std::vector<std::size_t>& measures,
+                                 const std::vector<MeasureValue>& values) {
   const Equilibrium& equilibrium = solved.equilibrium;
   ReportSection section("The design at rest");
   section.paragraph(stabilityOf(equilibrium) + " Forces are balanced to " + figure(equilibrium.residual, 2) +
@@ -100,6 +103,8 @@ ReportSection equilibriumSection(const Scene& scene, const SolvedScene& solved) 
                     " mm of the exact ones. Elastic energy " + figure(equilibrium.energy.elastic) +
                     " J. Other stable shapes met: " + std::to_string(equilibrium.alternatives.size()) + ".");
   for (const std::string& note : equilibrium.notes) section.warning(note);
+  const ReportTable routes = routeTable(scene, measures, values);
+  if (!routes.rows.empty()) section.table(routes);
   for (const ReportTable& table : equilibriumTables(solved)) section.table(table);
   section.heading("Along the cables");
   section.paragraph(

@@ -12,7 +12,10 @@ std::vector<ReportTable> equilibriumTables(const SolvedScene& solved);
 
 /// The chapter of a report on the design at rest: shapes, reactions of clips and joints, how sure the figures
 /// are; force, moment, curvature and bend radius along each cable. Lengths in mm.
-/// @param solved converged
-ReportSection equilibriumSection(const Scene& scene, const SolvedScene& solved);
+/// Deviations from planned routes too.
+/// @param solved converged @param measures indices, with their values at `solved`
+ReportSection equilibriumSection(const Scene& scene, const SolvedScene& solved,
+                                 const std::vector<std::size_t>& measures,
+                                 const std::vector<MeasureValue>& values);
 
 }  // namespace cable_variation

@@ -43,8 +43,9 @@ std::vector<ReportFact> factsOf(const Review& review) {
 }  // namespace
 
 std::string reviewPage(const Review& review) {
-  std::vector<ReportSection> sections{summarySection(review),
-                                      equilibriumSection(review.scene, review.solved)};
+  std::vector<ReportSection> sections{
+      summarySection(review),
+      equilibriumSection(review.scene, review.solved, review.measures, review.measured)};
   if (review.stability != nullptr) {
     sections.push_back(stabilitySection(review.scene, *review.stability, review.values));
   }

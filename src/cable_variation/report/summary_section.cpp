@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
 
 #include <cable_variation/report/markup.h>
+#include <cable_variation/report/route_table.h>
 #include <cable_variation/report/scene_figure.h>
 #include <cable_variation/report/tolerance_table.h>
 #include <cable_variation/report/verdict_table.h>
@@ -84,7 +86,15 @@ ReportSection summarySection(const Review& review) {
   section.banner(toneOf(overall.verdict), capitals(toString(overall.verdict)), overall.text);
   addPicture(review, verdicts, section);
   if (!verdicts.empty()) {
-    section.table(verdictTable(review.scene, verdicts, review.path ? "worst on\nthe path" : "design"));
+    std::vector<MeasureVerdict> shown;
+    const std::vector<std::size_t> own = withoutPlainRoutes(review.scene, review.measures);
+    std::copy_if(
+        verdicts.begin(), verdicts.end(), std::back_inserter(shown),
+        [&](const MeasureVerdict& each) { return std::count(own.begin(), own.end(), each.measure) > 0; });
+    if (!shown.empty())
+      section.table(verdictTable(review.scene, shown, review.path ? "worst on\nthe path" : "design"));
+    if (shown.size() < verdicts.size())
+      section.paragraph("Deviations from planned routes that have no limits stand with the design at rest.");
     section.paragraph(review.path ? "A measure passes that keeps its limits all along the path."
                                   : verdictRule(verdicts));
   }

@@ -15,22 +15,24 @@ namespace cable_variation {
 /// smallest distance or bend radius, the largest of everything else.
 struct Measure {
   enum class Type {
-    distance,        ///< between cables and a component, or other cables; negative: overlap [m]
-    similarity,      ///< two-sided Hausdorff distance to the nominal shape, cable by cable [m]
-    position,        ///< of a section along a direction [m]
-    bend_radius,     ///< smallest of the centreline [m]
-    strain,          ///< largest normal strain at the surface [1]
-    stress,          ///< largest equivalent stress (von Mises) at the surface [Pa]
-    section_force,   ///< [N]
-    section_moment,  ///< [N m]
-    twist,           ///< between two sections, relative to rest [rad]
-    clip_force,      ///< on the cable [N]
-    clip_moment,     ///< on the cable [N m]
-    slide,           ///< of the cable through a clip: arc length held minus the scene's [m]
-    contact_force,   ///< that a component presses a cable with: sum of the amounts of all its forces [N]
-    contact_length,  ///< of the stretches along which a cable touches a component [m]
-    energy,          ///< elastic energy of the harness [J]
-    eigenvalue       ///< smallest of the Hessian, see EquilibriumSolver [N/m]
+    distance,         ///< between cables and a component, or other cables; negative: overlap [m]
+    similarity,       ///< two-sided Hausdorff distance to the nominal shape, cable by cable [m]
+    position,         ///< of a section along a direction [m]
+    bend_radius,      ///< smallest of the centreline [m]
+    strain,           ///< largest normal strain at the surface [1]
+    stress,           ///< largest equivalent stress (von Mises) at the surface [Pa]
+    section_force,    ///< [N]
+    section_moment,   ///< [N m]
+    twist,            ///< between two sections, relative to rest [rad]
+    clip_force,       ///< on the cable [N]
+    clip_moment,      ///< on the cable [N m]
+    slide,            ///< of the cable through a clip: arc length held minus the scene's [m]
+    contact_force,    ///< that a component presses a cable with: sum of the amounts of all its forces [N]
+    contact_length,   ///< of the stretches along which a cable touches a component [m]
+    route_deviation,  ///< two-sided Hausdorff distance of a stretch of a cable to the route planned for it
+                      ///< [m]
+    energy,           ///< elastic energy of the harness [J]
+    eigenvalue        ///< smallest of the Hessian, see EquilibriumSolver [N/m]
   };
 
   std::string name;
@@ -50,8 +52,11 @@ struct Measure {
   Eigen::Vector3d direction = Eigen::Vector3d::Zero();  ///< position: unit vector, world
   std::optional<Axis>
       axis;  ///< forces and moments: along this axis of the section or clip; else the magnitude
-  double from = 0.0, to = 0.0;         ///< twist: arc lengths [m]
-  std::size_t clip = 0;                ///< clip_force, clip_moment, slide
+  double from = 0.0, to = 0.0;         ///< twist, route_deviation: arc lengths of the stretch [m]
+  std::vector<Eigen::Vector3d> route;  ///< route_deviation: straight from point to point, two at least, no
+                                       ///< two neighbours the same [m, world]
+  std::string segment;   ///< route_deviation: id of the stretch where its route is from; or empty
+  std::size_t clip = 0;  ///< clip_force, clip_moment, slide
   std::optional<double> lower, upper;  ///< specification limits, in `unit`
 };
 

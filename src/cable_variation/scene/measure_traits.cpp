@@ -27,6 +27,7 @@ constexpr MeasureTraitsTable kTraits{{
     {Type::slide, "slide", &quantity::length, Subject::clip, Worse::larger, Unlikely::longer_than_cables},
     {Type::contact_force, "contact_force", &quantity::force, Subject::cables, Worse::larger, Unlikely::none},
     {Type::contact_length, "contact_length", &quantity::length, Subject::cables, Worse::larger, Unlikely::longer_than_cables},
+    {Type::route_deviation, "route_deviation", &quantity::length, Subject::cable, Worse::larger, Unlikely::longer_than_cables},
     {Type::energy, "energy", &quantity::energy, Subject::harness, Worse::larger, Unlikely::none},
     {Type::eigenvalue, "eigenvalue", &quantity::spring, Subject::harness, Worse::smaller, Unlikely::none, !kClearance, !kFromNominal, kEigenvalue},
 }};

@@ -177,7 +177,7 @@ void readSectionLoad(const YamlCursor& item, Measure& measure, const ReadContext
   readAxis(item, measure);
 }
 
-void readTwist(const YamlCursor& item, Measure& measure, const ReadContext& context) {
+void readStretch(const YamlCursor& item, Measure& measure, const ReadContext& context) {
   readOneCable(item, measure, context);
   const double length = lengthOf(measure, context);
   const auto from = item.find("from");
@@ -246,6 +246,25 @@ void readContactOf(const YamlCursor& item, Measure& measure, const ReadContext& 
   }
 }
 
+// Straight from point to point; a place that is there twice has no direction.
+void readRoute(const YamlCursor& list, Measure& measure, const ReadContext& context) {
+  if (!list.isAtMost(context.limits.via_points, "via_points")) return;
+  const std::vector<YamlCursor> items = list.items();
+  if (list.isList() && items.size() < 2) list.fail("expected two points at least");
+  for (const YamlCursor& item : items) {
+    const Eigen::Vector3d point = item.vector(quantity::length);
+    if (!measure.route.empty() && point == measure.route.back())
+      item.fail("it is the point before again; expected another one");
+    measure.route.push_back(point);
+  }
+}
+
+void readRouteDeviation(const YamlCursor& item, Measure& measure, const ReadContext& context) {
+  readStretch(item, measure, context);
+  if (const auto route = item.require("route")) readRoute(*route, measure, context);
+  if (item.has("segment")) measure.segment = item.text("segment");
+}
+
 void readNothing(const YamlCursor&, Measure&, const ReadContext&) {}
 
 // How a measure's type is written: the keys it takes beyond those of all, and how they are read.
@@ -267,12 +286,13 @@ constexpr std::array<MeasureForm, enumeratorCount<Type>()> kForms{{
     {Type::stress, {"cable", "cables"}, readStress},
     {Type::section_force, {"cable", "cables", "at", "axis"}, readSectionLoad},
     {Type::section_moment, {"cable", "cables", "at", "axis"}, readSectionLoad},
-    {Type::twist, {"cable", "from", "to"}, readTwist},
+    {Type::twist, {"cable", "from", "to"}, readStretch},
     {Type::clip_force, {"clip", "axis"}, readClipLoad},
     {Type::clip_moment, {"clip", "axis"}, readClipLoad},
     {Type::slide, {"clip"}, readSlide},
     {Type::contact_force, {"cable", "cables", "component"}, readContactOf},
     {Type::contact_length, {"cable", "cables", "component"}, readContactOf},
+    {Type::route_deviation, {"cable", "from", "to", "route", "segment"}, readRouteDeviation},
     {Type::energy, {}, readNothing},
     {Type::eigenvalue, {}, readNothing},
 }};

@@ -11,6 +11,7 @@ namespace {
 constexpr double kMostTurn = M_PI;            // [rad], of a tolerance: either way that is everything
 constexpr double kMostBareTurn = M_PI / 6.0;  // likewise without a unit
 constexpr double kBareShare = 0.1;            // of the thing's length, of a tolerance without a unit
+constexpr double kBundle = 20.0;              // of the nominal EI or GJ, of a tolerance
 constexpr double kLeastBare = 0.1;            // [m], of such a tolerance: the smallest that is usual in mm
 
 // What a tolerance is of: a phrase for it, and its measure in the variable's unit.
@@ -32,9 +33,13 @@ class ReferenceOf {
   Reference operator()(const BreakoutArcLength& target) const {
     return cable(scene_.harness.joints[target.joint].parent);
   }
-  Reference operator()(const CableProperty&) const {
+  Reference operator()(const CableProperty& target) const {
     const std::string unit = variable_.unit == "1" ? "" : " " + variable_.unit;
-    return {"on a nominal value of " + shortNumber(variable_.nominal) + unit, variable_.nominal};
+    // a bundle whose wires stick may be many times as stiff as one whose wires slip
+    const bool of_bundle =
+        target.property == CableProperty::Property::EI || target.property == CableProperty::Property::GJ;
+    return {"on a nominal value of " + shortNumber(variable_.nominal) + unit,
+            (of_bundle ? kBundle : 1.0) * variable_.nominal};
   }
   Reference operator()(const ComponentTranslation& target) const { return component(target.component); }
   Reference operator()(const LocatorDeviation& target) const { return component(target.component); }

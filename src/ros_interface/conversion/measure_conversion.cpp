@@ -37,6 +37,7 @@ MeasureInfo toInfo(const Measure& measure, const Scene& scene) {
   if (measure.axis) info.axis = nameOf(*measure.axis);
   info.twist_start = measure.from;
   info.twist_end = measure.to;
+  info.segment = measure.segment;
   if (traitsOf(measure.type).subject == MeasureTraits::Subject::clip)
     info.clip = scene.harness.clips[measure.clip].name;
   return info;

@@ -12,6 +12,7 @@
 #include <ros_interface/markers/clip_markers.h>
 #include <ros_interface/markers/contact_markers.h>
 #include <ros_interface/markers/labels.h>
+#include <ros_interface/markers/route_markers.h>
 #include <ros_interface/node/names.h>
 
 namespace cable_variation_ros {
@@ -49,14 +50,19 @@ void SolverPublisher::publish(const SolverContext& context,
   const visualization_msgs::MarkerArray contacts = contactMarkers(context.equilibrium(), context.harness());
   append(clips, markers);
   append(contacts, markers);
+  const visualization_msgs::MarkerArray routes = routeMarkers(context.design().scene, measured);
+  append(routes, markers);
   cables_.publish(markers);
   visualization_msgs::MarkerArray marks = clipMarkers(context.equilibrium(), context.harness(), false);
   append(contacts, marks);
+  append(routes, marks);
   marks_.publish(marks);
   const cable_variation::Scene& scene = context.design().scene;
   std::vector<cable_variation::Label> labels = clipLabels(context.equilibrium(), context.harness());
   const std::vector<cable_variation::Label> forces = contactLabels(context.equilibrium());
   labels.insert(labels.end(), forces.begin(), forces.end());
+  const std::vector<cable_variation::Label> deviations_of_routes = routeLabels(scene, measured);
+  labels.insert(labels.end(), deviations_of_routes.begin(), deviations_of_routes.end());
   interference_.showMeasures(distanceMarks(scene, firstNumbers(measured.size()), measured), clips, labels);
   shapes_.publish(toCableShapes(context.equilibrium(), context.harness(), context.stamp()));
   const ComponentDeviations deviations =

@@ -51,6 +51,7 @@ constexpr char kComponentMarkers[] = "component/";
 constexpr char kCableMarkers[] = "cable/";
 constexpr char kClipMarkers[] = "clip/";
 constexpr char kContactMarkers[] = "contact/";
+constexpr char kRouteMarkers[] = "route/";
 constexpr char kVariationMarkers[] = "variation/";
 constexpr char kVariationShapeMarkers[] = "variation_shapes/";
 constexpr char kSensitivityMarkers[] = "sensitivity/";

@@ -6,6 +6,7 @@
 #include <cable_variation/equilibrium/discretisation/grid.h>
 #include <cable_variation/equilibrium/discretisation/held_piece.h>
 #include <cable_variation/equilibrium/discretisation/shape_point.h>
+#include <cable_variation/equilibrium/discretisation/slide_room.h>
 #include <cable_variation/rod/profile.h>
 
 namespace cable_variation {
@@ -187,13 +188,13 @@ std::string unreachable(const Harness& harness, const Topology& topology, const 
 
 std::string whereItFailed(const Harness& harness, const Topology& topology, const RodSystem& system,
                           const Configuration& configuration) {
-  constexpr double kNoRoom = 0.02;  // of the cable's length
+  constexpr double kNoRoom = 4.0;  // times what a descent leaves of a span
   std::ostringstream text;
   for (const Span& span : topology.spans) {
     const double length =
         configuration.stations[span.right].arc_length - configuration.stations[span.left].arc_length;
     const Cable& cable = harness.cables[span.cable];
-    if (length > kNoRoom * cable.length) continue;
+    if (length > kNoRoom * leastLength(harness, topology, span)) continue;
     for (std::size_t index : {span.left, span.right}) {
       if (system.unknowns().slide(index) < 0) continue;
       text << "clip '" << harness.clips[*topology.stations[index].clip].name << "' slid to "

@@ -6,6 +6,7 @@
 #include <cable_variation/equilibrium/discretisation/contact_system.h>
 #include <cable_variation/equilibrium/discretisation/held_piece.h>
 #include <cable_variation/equilibrium/discretisation/rod_system_impl.h>
+#include <cable_variation/equilibrium/discretisation/slide_room.h>
 #include <cable_variation/math/so3.h>
 
 namespace cable_variation {
@@ -291,12 +292,11 @@ bool RodSystem::conservative(const Harness& harness) const {
 }
 
 bool RodSystem::arcLengthsInOrder(const Configuration& configuration) const {
-  constexpr double kSmallestShare = 0.005;  // of the cable's length
   return std::all_of(topology_.spans.begin(), topology_.spans.end(), [&](const Span& span) {
     const double length =
         configuration.stations[span.right].arc_length - configuration.stations[span.left].arc_length;
     const bool fixed = unknowns_.slide(span.left) < 0 && unknowns_.slide(span.right) < 0;
-    return fixed || length > kSmallestShare * harness_.cables[span.cable].length;
+    return fixed || length > leastLength(harness_, topology_, span);
   });
 }
 
