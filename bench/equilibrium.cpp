@@ -11,7 +11,6 @@
 #include <cable_variation/equilibrium/discretisation/grid.h>
 #include <cable_variation/equilibrium/search/minimise.h>
 #include <cable_variation/rod/kernel/element_kernel.h>
-#include <contact/contact_cases.h>
 #include <equilibrium/cases.h>
 
 #include "reference_case.h"
@@ -204,40 +203,6 @@ void solveManyCables(benchmark::State& state) {
   solveFromNothing(state, harness, o);
 }
 
-// A cable of 500 mm that is held at both ends and hangs down to a table of 20,000 triangles, where its end is
-// moved by up to 5 mm; and as it would hang without the table.
-Harness overTable(bool touching) {
-  Harness harness =
-      test::clamped(test::uniformCable(0.5, test::roundSection(1e4, 4e3, 8e-3, 1e-2, 0.1, 0.004)),
-                    test::poseAt(0.4, 0.05, 0.03));
-  harness.clips[0].pose = test::poseAt(0.0, 0.0, 0.05);
-  if (touching) {
-    harness.contacts = {test::contactWith(
-        "table", test::rectangle(Eigen::Vector2d(-0.5, -0.5), Eigen::Vector2d(1.0, 0.5), 100, 100))};
-  }
-  return harness;
-}
-
-void hangCold(benchmark::State& state, bool touching) {
-  solveFromNothing(state, overTable(touching), options(true));
-}
-
-void hangWarm(benchmark::State& state, bool touching) {
-  const Harness harness = overTable(touching);
-  const std::vector<Harness> harnesses = nearby(harness);
-  EquilibriumSolver solver(options(true));
-  requireConverged(solver.solve(harness));
-  std::size_t i = 0;
-  int steps = 0;
-  for (auto _ : state) {
-    const Equilibrium result = solver.update(i % 2 == 0 ? harnesses[(i / 2) % harnesses.size()] : harness);
-    requireConverged(result);
-    steps += result.iterations;
-    ++i;
-  }
-  state.counters["steps"] = benchmark::Counter(steps, benchmark::Counter::kAvgIterations);
-}
-
 BENCHMARK_CAPTURE(solveCold, case_H, 'H', false)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(solveCold, case_W, 'W', false)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(solveCold, case_H_multi_start, 'H', true)->Unit(benchmark::kMicrosecond);
@@ -249,10 +214,6 @@ BENCHMARK_CAPTURE(solveWarm, case_W, 'W')->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(shootWarm, case_H, 'H')->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(shootWarm, case_W, 'W')->Unit(benchmark::kMicrosecond);
 BENCHMARK(newtonStep)->RangeMultiplier(8)->Range(8, 512)->Unit(benchmark::kMicrosecond)->Complexity();
-BENCHMARK_CAPTURE(hangCold, free, false)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(hangCold, on_a_table, true)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(hangWarm, free, false)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(hangWarm, on_a_table, true)->Unit(benchmark::kMicrosecond);
 BENCHMARK(solveManyCables)->Arg(1)->Arg(20)->Unit(benchmark::kMicrosecond);
 
 }  // namespace

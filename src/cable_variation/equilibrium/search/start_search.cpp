@@ -22,6 +22,7 @@ namespace {
 constexpr double kSameShape = 1e-3;
 // And of the same energy: one with a turn more may have the same centreline.
 constexpr double kSameEnergy = 1e-6;
+constexpr int kBriefly = 60;  // Newton steps
 
 struct Candidate {
   bool stable = false;
@@ -214,8 +215,10 @@ class Search {
     Candidate candidate;
     Configuration& configuration = candidate.shape.configuration;
     configuration = std::move(start);
-    const Minimum minimum =
-        minimise(system, configuration, {options_.max_iterations, false, stress, true, options_.descent});
+    // Cables that creep along a part are given up sooner once another shape is known.
+    const bool briefly = system.contact() && !found_.minima.empty();
+    const int most = briefly ? std::min(kBriefly, options_.max_iterations) : options_.max_iterations;
+    const Minimum minimum = minimise(system, configuration, {most, false, stress, true, options_.descent});
     result_.iterations += minimum.iterations;
     result_.residual = minimum.residual;
     if (!minimum.stationary()) {
