@@ -155,6 +155,22 @@ TEST(TwoPivots, NeutralRollPassesAsStable) {
   EXPECT_GT(result.smallest_eigenvalue, 1.0);  // the swing under its weight
 }
 
+// A cable that slides out of what should hold it is no matter of too few steps.
+TEST(NotHeld, CablesThatOnlySlideOrGoOnAreNamedWithTheirClips) {
+  Harness harness = clamped(strand(), poseAt(0.2, 0.0, -0.1));
+  for (Clip& clip : harness.clips) clip.constraint = slidingRollingClip();
+  harness.clips[0].arc_length = 0.02;
+  harness.clips[1].arc_length = 0.25;
+  const Equilibrium lost = solve(harness);
+  ASSERT_EQ(lost.status, EquilibriumStatus::not_converged);
+  EXPECT_NE(lost.message.find("nothing holds 'strand' along its way: 'A' (slides), 'B' (slides)"),
+            std::string::npos)
+      << lost.message;
+  harness.clips[0].constraint = fixedClip();
+  harness.clips[0].arc_length = 0.0;
+  EXPECT_TRUE(solve(harness).converged());
+}
+
 TEST(Impossible, ClipsFurtherApartThanTheCableAreNamed) {
   Harness harness = clamped(strand(), poseAt(0.35, 0.0, 0.0));
   const Equilibrium ends = solve(harness);
