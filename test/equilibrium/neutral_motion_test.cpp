@@ -192,6 +192,23 @@ TEST(NeutralMotion, OfSeveralCables) {
                 "'cable' is free to turn about its own axis; cable 'other' is free to turn about its own");
 }
 
+// A rod so stiff that its swing is nothing beside its bending: λ of a physical pendulum, 3/2 ρA g, all the
+// same.
+TEST(NeutralMotion, SwingOfAStiffRodIsNone) {
+  constexpr double kMass = 0.05;
+  for (const double stiffness : {1e2, 1e4}) {
+    SCOPED_TRACE(stiffness);
+    const double EA = 1e5 * stiffness / (kLength * kLength);
+    Harness harness = cantilever(
+        uniformCable(kLength, roundSection(EA, 0.4 * EA, 0.8 * stiffness, stiffness, kMass)), kGravity);
+    harness.clips[0] = clipOn(0, "A", 0.0, pivotClip(), poseAt(0.0, 0.0, 0.0));
+    const Equilibrium result = solve(harness, 1e-5);
+    ASSERT_TRUE(result.converged()) << result.message;
+    EXPECT_FALSE(tells(result, "line through")) << neutralNote(result);
+    EXPECT_NEAR(result.smallest_eigenvalue / (1.5 * kMass * 9.81), 1.0, 1e-3);
+  }
+}
+
 TEST(NeutralMotion, SlendernessDoesNotMatter) {
   double last = 0.0;
   for (const double slenderness : {1e7, 1e8, 1e9, 1e10}) {

@@ -13,6 +13,9 @@ namespace {
 constexpr double kAligned = 1e-7;
 // A motion that differs from others by less than this share of itself is one of them.
 constexpr double kAnother = 1e-3;
+// A motion that costs less than this share of the softest span's first bow costs nothing.
+// Or less than so many times what the Hessian is rounded by.
+constexpr double kNegligible = 1e-5, kOfRounding = 10.0;
 // Coefficients that are rounding, of those of 1.
 constexpr double kRounding = 1e-9;
 
@@ -139,6 +142,14 @@ class Constraints {
 
 }  // namespace
 
+double softestBending(const RodSystem& system) {
+  double bending = INFINITY;
+  const std::vector<RodSystem::Metric> stiffness = system.bendingMetric(), surface = system.surfaceMetric();
+  for (std::size_t i = 0; i < stiffness.size(); ++i)
+    bending = std::min(bending, stiffness[i].position / surface[i].position);
+  return bending;
+}
+
 NodalField fieldOf(const NeutralMotion& motion, const RodSystem& system, const Configuration& configuration) {
   NodalField field = system.zeroField();
   field.unknowns = motion.unknowns;
@@ -230,6 +241,16 @@ class Basis {
   std::vector<NodalField> fields_;
 };
 
+// What a stiff cable's swing under its weight costs is next to nothing beside its bending: it is not beside
+// that of the softest span.
+bool costsNothing(const NeutralMotion& motion, const RodSystem& system, const Configuration& configuration) {
+  const NodalField field = fieldOf(motion, system, configuration);
+  NodalField weighted;
+  system.applyMetric(system.surfaceMetric(), field, weighted);
+  const double negligible = std::max(kNegligible, kOfRounding * system.stiffnessNoise());
+  return std::abs(system.curvatureAlong(field)) <= negligible * softestBending(system) * field.dot(weighted);
+}
+
 // Columns that span the same space, each with a row that the others have nothing in.
 Eigen::MatrixXd apart(const Eigen::MatrixXd& columns) {
   if (columns.cols() == 0) return columns;
@@ -271,7 +292,7 @@ std::vector<NeutralMotion> neutralMotions(const RodSystem& system, const Configu
       if (std::abs(combinations(m, k)) > kRounding)
         motion.addScaled(combinations(m, k), basis.motion(spins + static_cast<std::size_t>(m)));
     }
-    neutral.push_back(std::move(motion));
+    if (costsNothing(motion, system, configuration)) neutral.push_back(std::move(motion));
   }
   return neutral;
 }

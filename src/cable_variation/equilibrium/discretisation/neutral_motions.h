@@ -30,6 +30,9 @@ struct NeutralMotion {
 std::vector<NeutralMotion> neutralMotions(const RodSystem& system, const Configuration& configuration,
                                           double share);
 
+/// What the softest span resists its first bow with [N/m]; after evaluate().
+double softestBending(const RodSystem& system);
+
 /// The motion of a grid's nodes; after evaluate().
 NodalField fieldOf(const NeutralMotion& motion, const RodSystem& system, const Configuration& configuration);
 

@@ -67,15 +67,6 @@ bool pressesFromAfar(const Problem& problem, const std::vector<CableShape>& shap
   });
 }
 
-// What a span resists its first bow with, of the softest span [N/m].
-double softestBending(const RodSystem& system) {
-  double bending = INFINITY;
-  const std::vector<RodSystem::Metric> stiffness = system.bendingMetric(), surface = system.surfaceMetric();
-  for (std::size_t i = 0; i < stiffness.size(); ++i)
-    bending = std::min(bending, stiffness[i].position / surface[i].position);
-  return bending;
-}
-
 int piecesOf(double turn) { return std::max(1, static_cast<int>(std::ceil(turn / kLargestPiece))); }
 
 }  // namespace

@@ -16,9 +16,10 @@ namespace {
 constexpr double kOfOthers = 1e-3;
 // A motion that costs less than this share of what it would in bending may be a neutral one.
 constexpr double kSuspicious = 1e-2;
-// It is one if it strains nothing and costs less than this share; or if it costs less than the other one, or
-// than rounding does.
-constexpr double kStrainless = 1e-6, kNone = 1e-8, kOfRounding = 10.0;
+// It is one if it costs no more than rounding: this share of bending, or so much of what the Hessian is
+// rounded by, more where it is not known to strain nothing; and nothing beside the softest span's first bow.
+constexpr double kStrainless = 1e-8, kNone = 1e-9, kOfRounding = 10.0;
+constexpr double kOfSoftest = 1e-5;
 // More motions than this are not left out for rounding alone.
 constexpr std::size_t kMostUnnamed = 12;
 
@@ -145,16 +146,18 @@ Found Lanczos::find(const NodalField* near) {
 
 SoftestMotion softestMotion(RodSystem& system, const Configuration& configuration, const NodalField* near) {
   SoftestMotion softest;
-  const double rounding = kOfRounding * system.stiffnessNoise();
+  const double rounding = system.stiffnessNoise();
   Found found = Lanczos(system, configuration).find(near);
-  if (std::abs(found.share) < std::max(kSuspicious, rounding)) {
+  if (std::abs(found.share) < std::max(kSuspicious, kOfRounding * rounding)) {
     system.evaluate(configuration, RodSystem::Hessian::exact);
-    softest.neutral = neutralMotions(system, configuration, std::max(kStrainless, rounding));
+    softest.neutral = neutralMotions(system, configuration, std::max(kStrainless, kOfRounding * rounding));
     Lanczos others(system, configuration);
     for (const NeutralMotion& motion : softest.neutral)
       others.leaveOut(fieldOf(motion, system, configuration));
     if (!softest.neutral.empty()) found = others.find(nullptr);
-    while (std::abs(found.share) < std::max(kNone, rounding) && softest.unnamed.size() < kMostUnnamed) {
+    const double most = kOfSoftest * softestBending(system);
+    while (std::abs(found.share) < std::max(kNone, kOfRounding * rounding) &&
+           std::abs(found.eigenvalue) < most && softest.unnamed.size() < kMostUnnamed) {
       softest.unnamed.push_back(found.motion);
       if (!others.leaveOut(found.motion)) break;
       found = others.find(nullptr);
