@@ -66,6 +66,13 @@ def parse_share(text):
         raise argparse.ArgumentTypeError("'%s': expected a share, such as 0.02 or 2%%" % text)
 
 
+def parse_count(text):
+    """A whole number from 1: an option that is left out stands for the default, 0 for nothing."""
+    if not text.isdigit() or int(text) < 1:
+        raise argparse.ArgumentTypeError("'%s': expected a whole number from 1, or the option left out" % text)
+    return int(text)
+
+
 def parse_variable(text):
     """NAME=VALUE, in SI units, mm or deg, as (name, SI value)."""
     name, equals, value = text.partition('=')

@@ -55,14 +55,15 @@ double numberIn(const std::string& text, const std::string& si_unit) {
   return cable_variation::parseQuantity(text, cable_variation::quantity::number);
 }
 
+// None is what an option that is left out stands for: asked for by its number it would be another.
 template <typename Count>
 Count countIn(const std::string& option, const std::string& text) {
   const char* const end = text.data() + text.size();
   Count read = 0;
   const std::from_chars_result result = std::from_chars(text.data(), end, read);
-  if (result.ec == std::errc() && result.ptr == end) return read;
-  throw UsageError("--" + option + ": is " + quoted(text) + ", expected a whole number, 0 to " +
-                   std::to_string(std::numeric_limits<Count>::max()));
+  if (result.ec == std::errc() && result.ptr == end && read > 0) return read;
+  throw UsageError("--" + option + ": is " + quoted(text) + ", expected a whole number, 1 to " +
+                   std::to_string(std::numeric_limits<Count>::max()) + ", or the option left out");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cable_variation/equilibrium/neutral_note.h>
 #include <equilibrium/cases.h>
 
 namespace cable_variation::test {
@@ -150,8 +151,24 @@ TEST(TwoPivots, NeutralRollPassesAsStable) {
   for (Clip& clip : harness.clips) clip.constraint = pivotClip();
   const Equilibrium result = solve(harness);
   ASSERT_TRUE(result.converged()) << result.message;
-  // of N/m; the softest motion that costs anything is the swing under its weight, 10 N/m and more
-  EXPECT_LT(std::abs(result.smallest_eigenvalue), 1e-3);
+  EXPECT_NE(neutralNote(result).find("'strand' is free to turn about its own axis"), std::string::npos);
+  EXPECT_GT(result.smallest_eigenvalue, 1.0);  // the swing under its weight
+}
+
+// A cable that slides out of what should hold it is no matter of too few steps.
+TEST(NotHeld, CablesThatOnlySlideOrGoOnAreNamedWithTheirClips) {
+  Harness harness = clamped(strand(), poseAt(0.2, 0.0, -0.1));
+  for (Clip& clip : harness.clips) clip.constraint = slidingRollingClip();
+  harness.clips[0].arc_length = 0.02;
+  harness.clips[1].arc_length = 0.25;
+  const Equilibrium lost = solve(harness);
+  ASSERT_EQ(lost.status, EquilibriumStatus::not_converged);
+  EXPECT_NE(lost.message.find("nothing holds 'strand' along its way: 'A' (slides), 'B' (slides)"),
+            std::string::npos)
+      << lost.message;
+  harness.clips[0].constraint = fixedClip();
+  harness.clips[0].arc_length = 0.0;
+  EXPECT_TRUE(solve(harness).converged());
 }
 
 TEST(Impossible, ClipsFurtherApartThanTheCableAreNamed) {

@@ -88,6 +88,8 @@ TEST(Figure, IsShortAndTrue) {
   EXPECT_EQ(figure(0.123456), "0.1235");
   EXPECT_EQ(figure(-12.5), "−12.5");
   EXPECT_EQ(figure(-0.0), "0");
+  EXPECT_EQ(figure(-1e-61), "0");  // rounding
+  EXPECT_EQ(figure(2e-14), "2e-14");
   EXPECT_EQ(figure(kNan), "–");
   EXPECT_EQ(displayUnit("m").factor * 0.25, 250.0);
   EXPECT_DOUBLE_EQ(displayUnit("rad").factor * M_PI, 180.0);

@@ -27,8 +27,6 @@ constexpr double kVerifiedOutside = 15.0, kLearntOutside = 8.0;
 constexpr std::size_t kFewest = 2000, kMostLearnt = 4000, kFewestLearnt = 300;
 // Ends of stretches kept while learning, some 300 MB.
 constexpr std::size_t kMostLearntStretches = 1500000;
-// Left out of the hulls, as a share of what may be outside: what lies further out than all others.
-constexpr double kLeftOut = 0.33;
 // Shapes that stick out by more than this are worth to be taken into the hulls [m].
 constexpr double kWorthwhile = 5e-5;
 // The first look's probability to err, and what is left of it with each further look.
@@ -68,13 +66,16 @@ std::size_t likelyOutside(std::size_t allowed, std::size_t verified, std::size_t
   return static_cast<std::size_t>(low * static_cast<double>(known));
 }
 
+// Of `of` shapes learnt from, how many stay out of the hulls: as many as may be outside in the end, so that
+// the inflation has next to nothing to make up for, and hulls alone do not hold more than is asked for.
 std::size_t leftOut(const StatisticalPlan& plan, std::size_t of) {
-  return static_cast<std::size_t>(std::ceil(kLeftOut * (1.0 - plan.probability) * static_cast<double>(of)));
+  return likelyOutside(mostOutside(plan, 0).value_or(0), plan.verification, of);
 }
 
 // How unusual shapes are: the largest Mahalanobis distance of any end from its mean; of one without an
-// equilibrium infinity.
-std::vector<double> unusualness(const std::vector<FollowedShape>& shapes) {
+// equilibrium infinity. What an end moves along its cable takes up no other space, but at the cable's ends.
+std::vector<double> unusualness(const std::vector<FollowedShape>& shapes,
+                                const std::vector<MaterialStretch>& stretches) {
   std::vector<double> largest(shapes.size(), kInfinity);
   std::vector<std::size_t> solved;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
@@ -84,18 +85,25 @@ std::vector<double> unusualness(const std::vector<FollowedShape>& shapes) {
   }
   if (solved.empty()) return largest;
   const auto count = static_cast<double>(solved.size());
-  const Eigen::Index ends = shapes[solved.front()].shape.ends[0].cols();
-  for (Eigen::Index end = 0; end < ends; ++end) {
-    Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-    for (const std::size_t i : solved) mean += shapes[i].shape.ends[0].col(end) / count;
+  Eigen::Matrix3Xd mean = Eigen::Matrix3Xd::Zero(3, shapes[solved.front()].shape.ends[0].cols());
+  for (const std::size_t i : solved) mean += shapes[i].shape.ends[0] / count;
+  for (Eigen::Index end = 0; end < mean.cols(); ++end) {
+    const auto stretch = static_cast<std::size_t>(end / 2);
+    const std::size_t beside = end % 2 == 0 ? stretch - 1 : stretch + 1;  // wraps around before the first
+    const bool last = beside >= stretches.size() || stretches[beside].cable != stretches[stretch].cable;
+    Eigen::Matrix3d across = Eigen::Matrix3d::Identity();
+    if (!last) {
+      const Eigen::Vector3d along = (mean.col(end | 1) - mean.col(end & ~Eigen::Index{1})).normalized();
+      across -= along * along.transpose();
+    }
     Eigen::Matrix3d covariance = kStill * kStill * Eigen::Matrix3d::Identity();
     for (const std::size_t i : solved) {
-      const Eigen::Vector3d off = shapes[i].shape.ends[0].col(end) - mean;
+      const Eigen::Vector3d off = across * (shapes[i].shape.ends[0].col(end) - mean.col(end));
       covariance += off * off.transpose() / count;
     }
     const Eigen::LLT<Eigen::Matrix3d> factor(covariance);
     for (const std::size_t i : solved) {
-      const Eigen::Vector3d off = shapes[i].shape.ends[0].col(end) - mean;
+      const Eigen::Vector3d off = across * (shapes[i].shape.ends[0].col(end) - mean.col(end));
       largest[i] = std::max(largest[i], factor.matrixL().solve(off).norm());
     }
   }
@@ -105,7 +113,7 @@ std::vector<double> unusualness(const std::vector<FollowedShape>& shapes) {
 // Puts the most usual shapes into the hulls: those that snapped first, the largest jump before all, for the
 // slices are along its way.
 void takeUsual(PhaseSearch& search, std::vector<FollowedShape>& shapes, std::size_t left_out) {
-  const std::vector<double> unusual = unusualness(shapes);
+  const std::vector<double> unusual = unusualness(shapes, search.follower().reader().stretches());
   std::vector<std::size_t> order(shapes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(),
@@ -223,9 +231,10 @@ StatisticalResult holdShareOfProduction(std::vector<PhaseSearch>& searches, cons
     const ContainmentCheck check(searches);
     const std::vector<SamplePlace> places = draw(plan.added);
     std::vector<std::optional<std::pair<double, FollowedShape>>> found(places.size());
-    std::atomic<std::size_t> done{0};
+    std::atomic<std::size_t> done{0}, failed{0};
     solvePlaces(searches, places, [&](std::size_t index, std::size_t phase, const FollowedShape& followed) {
       const RandomShape shape = check.look(places[index], phase, followed);
+      if (!shape.converged) ++failed;
       if (shape.converged && shape.protrusion > kWorthwhile) {
         found[index].emplace(shape.protrusion, FollowedShape());
         FollowedShape& kept = found[index]->second;
@@ -239,7 +248,8 @@ StatisticalResult holdShareOfProduction(std::vector<PhaseSearch>& searches, cons
     for (auto& each : found) {
       if (each) sticking_out.push_back(std::move(*each));
     }
-    takeIn(search, sticking_out, leftOut(plan, plan.added));
+    const std::size_t outside = leftOut(plan, plan.added);
+    takeIn(search, sticking_out, outside - std::min(outside, failed.load()));
   }
 
   StatisticalResult result;

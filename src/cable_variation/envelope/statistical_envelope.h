@@ -42,8 +42,9 @@ struct StatisticalResult {
 /// (Vovk, Gammerman and Shafer, Algorithmic learning in a random world, 2005):
 ///
 /// 1. Shapes are drawn from the variables' joint distribution and ordered by the largest Mahalanobis distance
-///    of any end of a stretch from its mean; the usual ones go into the hulls. Then others that stick out,
-///    but for those that stick out most.
+///    of any end of a stretch from its mean, across the cable; the usual ones go into the hulls. Then others
+///    that stick out, but for those that stick out most. As many stay out as may be outside in the end, lest
+///    the hulls alone hold far more than is asked for.
 /// 2. Of other shapes it is known how far they stick out of the hulls. The inflation is such that so few
 ///    stick out of it that verification is likely to succeed: an order statistic.
 /// 3. Yet others are held against the inflated hulls. The share outside has an upper bound by Clopper and

@@ -120,8 +120,10 @@ ReportTable envelopeTable(const EnvelopeFindings& found) {
             " random shapes together, in voxels of " + millimetres(envelope.tightness.voxel) + " mm");
   }
   add("shapes", std::to_string(envelope.samples.size()), "",
-      "kept of " + std::to_string(envelope.solves) + " solved; centrelines within about " +
-          millimetres(envelope.discretisation_error, 2) + " mm of the exact ones");
+      "that its hulls are made of: the design, those that stand out of the " +
+          std::to_string(envelope.solves) + " solved to look for them, and of the random ones; " +
+          "centrelines within about " + millimetres(envelope.discretisation_error, 2) +
+          " mm of the exact ones");
   return table;
 }
 

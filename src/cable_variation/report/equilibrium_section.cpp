@@ -8,6 +8,7 @@
 #include <cable_variation/report/cable_profile.h>
 #include <cable_variation/report/markup.h>
 #include <cable_variation/report/route_table.h>
+#include <cable_variation/util/display_unit.h>
 
 namespace cable_variation {
 
@@ -37,10 +38,12 @@ void addReaction(const Reaction& reaction, const std::string& type, const std::s
   constexpr int kDigits = 4;
   std::vector<ReportCell> row{plain(reaction.name), plain(type), plain(cable),
                               plain(millimetres(reaction.arc_length))};
-  for (const Eigen::Vector3d& each : {reaction.force, reaction.moment}) {
-    for (int k = 0; k < 3; ++k) row.push_back(plain(figure(each[k], kDigits)));
-    row.push_back(plain(figure(each.norm(), kDigits)));
-  }
+  const auto add = [&](const Eigen::Vector3d& of, const char* unit) {
+    for (int k = 0; k < 3; ++k) row.push_back(plain(figure(withoutRounding(of[k], unit), kDigits)));
+    row.push_back(plain(figure(withoutRounding(of.norm(), unit), kDigits)));
+  };
+  add(reaction.force, "N");
+  add(reaction.moment, "N m");
   table.rows.push_back(row);
 }
 
@@ -100,7 +103,8 @@ ReportSection equilibriumSection(const Scene& scene, const SolvedScene& solved,
   ReportSection section("The design at rest");
   section.paragraph(stabilityOf(equilibrium) + " Forces are balanced to " + figure(equilibrium.residual, 2) +
                     " N; centrelines are within about " + millimetres(equilibrium.discretisation_error, 2) +
-                    " mm of the exact ones. Elastic energy " + figure(equilibrium.energy.elastic) +
+                    " mm of the exact ones. Elastic energy " +
+                    figure(withoutRounding(equilibrium.energy.elastic, "J")) +
                     " J. Other stable shapes met: " + std::to_string(equilibrium.alternatives.size()) + ".");
   for (const std::string& note : equilibrium.notes) section.warning(note);
   const ReportTable routes = routeTable(scene, measures, values);

@@ -60,7 +60,9 @@ std::string warningHtml(const std::string& text) {
 std::string figure(double value, int digits) {
   if (std::isnan(value)) return "–";
   if (std::isinf(value)) return value > 0.0 ? "∞" : "−∞";
-  std::string result = numberText(value == 0.0 ? 0.0 : value, digits);
+  // nothing that is calculated is known to less than this, whatever it is of
+  constexpr double kLeast = 1e-15;
+  std::string result = numberText(std::abs(value) < kLeast ? 0.0 : value, digits);
   // A true minus sign has the width of a digit.
   if (result[0] == '-') result.replace(0, 1, "−");
   return result;

@@ -74,11 +74,12 @@ ReportTable measureTable(const Scene& scene, const PathCheck& check) {
     const double start = first.solved ? first.measures[i].value : kNaN;
     table.rows.push_back({plain(measure.name),
                           plain(unit.symbol),
-                          plain(figure(unit.factor * start)),
-                          {figure(unit.factor * worst.worst), 0.0, beyondLimits(measure, worst.worst)},
+                          plain(figure(unit.factor * withoutRounding(start, measure.unit))),
+                          {figure(unit.factor * withoutRounding(worst.worst, measure.unit)), 0.0,
+                           beyondLimits(measure, worst.worst)},
                           plain(figure(worst.time)),
-                          plain(figure(unit.factor * worst.smallest)),
-                          plain(figure(unit.factor * worst.largest))});
+                          plain(figure(unit.factor * withoutRounding(worst.smallest, measure.unit))),
+                          plain(figure(unit.factor * withoutRounding(worst.largest, measure.unit)))});
   }
   return table;
 }

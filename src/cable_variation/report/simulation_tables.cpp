@@ -59,22 +59,24 @@ ReportTable meanTable(const Scene& scene, const SimulationStatistics& statistics
     const DisplayUnit unit = displayUnit(measure.unit);
     const MeasureStatistics::Estimate mean = s.bestMean(), sigma = s.bestSigma();
     const auto cell = [&](double value) {
-      return ReportCell{figure(unit.factor * value), 0.0, beyondLimits(measure, value)};
+      return ReportCell{figure(unit.factor * withoutRounding(value, measure.unit)), 0.0,
+                        beyondLimits(measure, value)};
     };
-    table.rows.push_back({plain(measure.name),
-                          cell(statistics.nominal[i]),
-                          marked(cell(mean.value), mean),
-                          plain(between(mean.interval, unit.factor)),
-                          marked(plain(figure(unit.factor * sigma.value)), sigma),
-                          plain(between(sigma.interval, unit.factor)),
-                          cell(s.min),
-                          cell(s.max),
-                          plain(figure(inThousandths(s.skewness), 3)),
-                          plain(figure(inThousandths(s.kurtosis), 3)),
-                          plain(unit.symbol),
-                          plain(std::to_string(s.count)),
-                          {std::to_string(s.missing), 0.0, s.missing > 0},
-                          plain(std::to_string(s.infinite))});
+    table.rows.push_back(
+        {plain(measure.name),
+         cell(statistics.nominal[i]),
+         marked(cell(mean.value), mean),
+         plain(between(mean.interval, unit.factor)),
+         marked(plain(figure(unit.factor * withoutRounding(sigma.value, measure.unit))), sigma),
+         plain(between(sigma.interval, unit.factor)),
+         cell(s.min),
+         cell(s.max),
+         plain(figure(inThousandths(s.skewness), 3)),
+         plain(figure(inThousandths(s.kurtosis), 3)),
+         plain(unit.symbol),
+         plain(std::to_string(s.count)),
+         {std::to_string(s.missing), 0.0, s.missing > 0},
+         plain(std::to_string(s.infinite))});
   }
   return table;
 }

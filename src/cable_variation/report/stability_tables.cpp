@@ -41,7 +41,8 @@ ReportTable measureTable(const Scene& scene, const StabilityAnalysis& analysis) 
     if (!value.unique) note += std::string(note.empty() ? "" : "; ") + "found at more than one place";
     table.rows.push_back({{measure.name, 0.0, false},
                           {toString(measure.type), 0.0, false},
-                          {figure(unit.factor * value.value), 0.0, beyondLimits(measure, value.value)},
+                          {figure(unit.factor * withoutRounding(value.value, measure.unit)), 0.0,
+                           beyondLimits(measure, value.value)},
                           limit(measure.lower, unit),
                           limit(measure.upper, unit),
                           {unit.symbol, 0.0, false},
@@ -68,11 +69,12 @@ ReportTable spreadTable(const Scene& scene, const StabilityAnalysis& analysis) {
       continue;
     }
     const auto cell = [&](double value) {
-      return ReportCell{figure(unit.factor * value), 0.0, beyondLimits(measure, value)};
+      return ReportCell{figure(unit.factor * withoutRounding(value, measure.unit)), 0.0,
+                        beyondLimits(measure, value)};
     };
     table.rows.push_back({{measure.name, 0.0, false},
                           cell(mean),
-                          {figure(unit.factor * sigma), 0.0, false},
+                          {figure(unit.factor * withoutRounding(sigma, measure.unit)), 0.0, false},
                           cell(mean - 3.0 * sigma),
                           cell(mean + 3.0 * sigma),
                           cell(nominal + analysis.worst_low[row]),

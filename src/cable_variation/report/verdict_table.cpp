@@ -71,7 +71,8 @@ ReportTable verdictTable(const Scene& scene, const std::vector<MeasureVerdict>& 
     std::vector<ReportCell> row{plain(measure.name),
                                 verdictCell(each.verdict),
                                 plain(unit.symbol),
-                                {figure(unit.factor * each.value), 0.0, beyondLimits(measure, each.value)},
+                                {figure(unit.factor * withoutRounding(each.value, measure.unit)), 0.0,
+                                 beyondLimits(measure, each.value)},
                                 plain(limitText(measure, unit.factor))};
     if (cpk) row.push_back({std::isnan(each.cpk) ? "" : figure(each.cpk, 3), 0.0, each.cpk < 1.0});
     if (worst) {

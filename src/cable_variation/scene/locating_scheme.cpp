@@ -94,7 +94,10 @@ Pose locatedPose(const Locators& locators, const std::array<double, 6>& deviatio
           (Eigen::Quaterniond(Eigen::AngleAxisd(rotation.norm(), rotation.normalized())) * turn).normalized();
     }
   }
-  throw std::invalid_argument("no rigid motion near the nominal pose satisfies the locators' deviations");
+  std::string given;
+  for (const double deviation : deviations) given += (given.empty() ? "" : ", ") + shortNumber(deviation);
+  throw std::invalid_argument("no rigid motion near the nominal pose satisfies the locators' deviations of " +
+                              given + " m; expected them small beside the distances between the locators");
 }
 
 std::array<FrameRate, 6> locatedRates(const Locators& locators, const Pose& located) {

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include <cable_variation/equilibrium/neutral_note.h>
 #include <cable_variation/measures/open_parts.h>
 #include <cable_variation/scene/measure_traits.h>
 #include <cable_variation/tolerances/tolerances.h>
@@ -32,6 +33,8 @@ class Analysis {
     const Spread spread = spreadOf(scene_, result_.variables);
     result_.nominal = solver_.update(harness);
     if (!result_.nominal.converged()) return std::move(result_);
+    if (std::string neutral = neutralNote(result_.nominal); !neutral.empty())
+      result_.warnings.push_back(std::move(neutral));
     const SolvedScene nominal{harness, result_.nominal, components};
     const MeasureEvaluator evaluator = of_scene.with(scene_, nominal);
     differentiate(nominal, evaluator);
@@ -198,11 +201,11 @@ class Analysis {
     result_.low_high.assign(result_.measures.size(), std::vector<LowHigh>(result_.variables.size()));
     double lowest_together = result_.nominal.smallest_eigenvalue;
     for (std::size_t column = 0; column < result_.variables.size(); ++column) {
-      const double low = resolveAt(finder, evaluator, column, false);
-      const double high = resolveAt(finder, evaluator, column, true);
-      result_.eigenvalue_low.push_back(low);
-      result_.eigenvalue_high.push_back(high);
-      const double lowest = std::fmin(low, high);
+      const Softness low = resolveAt(finder, evaluator, column, false);
+      const Softness high = resolveAt(finder, evaluator, column, true);
+      result_.eigenvalue_low.push_back(low.eigenvalue);
+      result_.eigenvalue_high.push_back(high.eigenvalue);
+      const double lowest = std::fmin(low.comparable, high.comparable);
       const double nominal = result_.nominal.smallest_eigenvalue;
       if (lowest < nominal) lowest_together -= nominal - lowest;
       if (lowest < kMuchSofter * nominal) {
@@ -217,18 +220,28 @@ class Analysis {
     result_.resolve_time = secondsSince(start);
   }
 
-  // Fills a column of low_high; returns the smallest eigenvalue.
-  double resolveAt(const LimitFinder& finder, const MeasureEvaluator& evaluator, std::size_t column,
-                   bool high) {
+  // The smallest eigenvalue at a limit [N/m].
+  struct Softness {
+    double eigenvalue = std::numeric_limits<double>::quiet_NaN();
+    // Not a number where a motion that costs nothing in the design costs something, or the other way round:
+    // then it is no other figure of the same motions.
+    double comparable = std::numeric_limits<double>::quiet_NaN();
+  };
+
+  // Fills a column of low_high.
+  Softness resolveAt(const LimitFinder& finder, const MeasureEvaluator& evaluator, std::size_t column,
+                     bool high) {
     constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
     std::vector<MeasureValue> measured(result_.measures.size());
     for (MeasureValue& value : measured) value.value = kNone;
-    double eigenvalue = kNone;
+    Softness softness;
     const AtLimit found = finder.find(result_.variables[column], high);
     if (found.equilibrium.converged()) {
       measured = evaluator.evaluate({found.harness, found.equilibrium, found.components}, result_.measures,
                                     &result_.values);
-      eigenvalue = found.equilibrium.smallest_eigenvalue;
+      softness.eigenvalue = found.equilibrium.smallest_eigenvalue;
+      if (neutralNote(found.equilibrium).empty() == neutralNote(result_.nominal).empty())
+        softness.comparable = softness.eigenvalue;
       warnOfOtherTouches(found.equilibrium, column, high);
     }
     if (found.snap) result_.snaps.push_back(*found.snap);
@@ -239,7 +252,7 @@ class Analysis {
       LowHigh& entry = result_.low_high[row][column];
       (high ? entry.high : entry.low) = measured[row].value;
     }
-    return eigenvalue;
+    return softness;
   }
 
   // A touch that begins or ends on the way to a limit.

@@ -1,5 +1,7 @@
 #include <cable_variation/tracking/shape_event.h>
 
+#include <cmath>
+
 #include <cable_variation/util/display_unit.h>
 #include <cable_variation/util/quantity.h>
 
@@ -117,8 +119,13 @@ std::vector<ShapeEvent> LimitWatch::compare(const std::vector<Measure>& measures
   std::vector<ShapeEvent> events;
   std::vector<Known> now;
   for (std::size_t i = 0; i < measures.size(); ++i) {
-    now.push_back({values[i].value, withinLimits(measures[i], values[i].value)});
-    const Known before = known_.size() == measures.size() ? known_[i] : Known{now[i].value, true};
+    const double value = values[i].value;
+    const Known before = known_.size() == measures.size() ? known_[i] : Known{value, true};
+    if (std::isnan(value)) {  // not known: what was known of it stands
+      now.push_back(before);
+      continue;
+    }
+    now.push_back({value, withinLimits(measures[i], value)});
     if (now[i].within != before.within)
       events.push_back(limitEvent(measures[i], before.value, now[i].value, now[i].within));
   }

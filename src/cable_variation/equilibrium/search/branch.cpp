@@ -414,9 +414,9 @@ double Branch::eigenvalueInContact() const {
 }
 
 // A shape that is right on a grid which its softest motion is too fine for, as a straight twisted one is,
-// gets its grid refined for that.
+// gets its grid refined for that. Neutral motions are no matter of grids.
 void Branch::findEigenvalue(Equilibrium& result) {
-  constexpr double kOfBending = 1e-2;
+  constexpr double kOfBending = 1e-3;
   constexpr double kOrderFour = 15.0;
   for (int round = 0;; ++round) {
     RodSystem& system = *problem_.system;
@@ -426,30 +426,32 @@ void Branch::findEigenvalue(Equilibrium& result) {
       result.smallest_eigenvalue = eigenvalueInContact();
       return;
     }
-    result.smallest_eigenvalue = smallestEigenvalue(system, problem_.configuration);
+    const SoftestMotion softest = softestMotion(system, problem_.configuration);
+    const std::string neutral = neutralText(softest, system, problem_.configuration);
+    result.smallest_eigenvalue = softest.eigenvalue;
     if (unstable_ || !system.conservative()) return;
-    // it was judged stable: what is negative here is the rounding of a motion that costs no energy
+    // it was judged stable: what is negative here is rounding
     result.smallest_eigenvalue = std::max(result.smallest_eigenvalue, 0.0);
-    if (round == kRefinements) return;
     const Configuration on_coarse =
         onGrid(problem_.topology, problem_.configuration, result.shapes, coarse.grid());
     const DiscretisationError error = estimateDiscretisation(system, coarse, on_coarse, false);
     Configuration there = on_coarse;
     coarse.move(error.step, there);
     coarse.evaluate(there, RodSystem::Hessian::exact);
-    const double on_merged = smallestEigenvalue(coarse, there);
-    double bending = INFINITY;  // of the softest span
-    const std::vector<RodSystem::Metric> stiffness = system.bendingMetric(), surface = system.surfaceMetric();
-    for (std::size_t i = 0; i < stiffness.size(); ++i)
-      bending = std::min(bending, stiffness[i].position / surface[i].position);
-    const double allowed =
-        options_.eigenvalue_accuracy * std::max(std::abs(result.smallest_eigenvalue), kOfBending * bending);
-    if (std::abs(on_merged - result.smallest_eigenvalue) <= kOrderFour * allowed) return;
+    const double on_merged = smallestEigenvalueBeside(softest, coarse, there);
+    const double allowed = options_.eigenvalue_accuracy * std::max(std::abs(result.smallest_eigenvalue),
+                                                                   kOfBending * softestBending(system));
+    const bool known = std::abs(on_merged - result.smallest_eigenvalue) <= kOrderFour * allowed;
+    if (known || round == kRefinements) {
+      if (!neutral.empty()) result.notes.push_back(neutral);
+      return;
+    }
     std::vector<std::vector<bool>> all;
     for (std::size_t i = 0; i < coarse.grid().size(); ++i) all.emplace_back(coarse.elementCount(i), true);
     OnGrid before = regrid(refine(system.grid(), all), result.shapes);
     if (!descend(false, StartStress::held, result)) {  // leaves it as good as it was
       restoreGrid(std::move(before));
+      if (!neutral.empty()) result.notes.push_back(neutral);
       return;
     }
     result.shapes =

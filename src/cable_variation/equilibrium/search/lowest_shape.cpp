@@ -9,6 +9,7 @@
 #include <cable_variation/equilibrium/search/led_out.h>
 #include <cable_variation/equilibrium/search/start_search.h>
 #include <cable_variation/equilibrium/search/twist.h>
+#include <cable_variation/equilibrium/search/unheld.h>
 
 namespace cable_variation {
 namespace {
@@ -81,7 +82,9 @@ class LowestShape {
     SearchResult found = searchStarts(problem, options_, result_);
     if (found.minima.empty() && found.saddles.empty()) {
       result_.status = EquilibriumStatus::not_converged;
-      result_.message = "no start led to an equilibrium: " + found.failure;
+      const std::string unheld = unheldCables(harness_);
+      result_.message =
+          "no start led to an equilibrium: " + (unheld.empty() ? "" : unheld + "; ") + found.failure;
     }
     return found;
   }

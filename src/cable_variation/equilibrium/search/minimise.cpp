@@ -382,9 +382,8 @@ class Descent {
   // by more than it relieves.
   bool leaveSaddle() {
     constexpr double kPushes[] = {0.05, -0.05, 0.2, -0.2, 0.5, -0.5, 0.01, -0.01};  // [rad]
-    NodalField motion;
     evaluateExactly();
-    smallestEigenvalue(system_, configuration_, &motion);
+    const NodalField motion = motionOfLeastStiffness(system_, configuration_);
     const StepSize size = sizeOf(motion);
     while (saddles_ < std::size(kPushes)) {
       NodalField push = motion;
