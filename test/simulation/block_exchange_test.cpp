@@ -7,6 +7,7 @@
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -20,9 +21,15 @@ namespace {
 
 constexpr std::uint64_t kSamples = 1000;  // seven blocks and a part of one
 
-Scene strip() {
-  Scene scene = bowedStrip();
-  scene.measures.push_back(measure(Measure::Type::bend_radius, "bend"));
+// A rod whose clip turns about y; where its tip is.
+Scene turningRod() {
+  Scene scene = freeRod(0.2, 2e-3);
+  addVariable(scene, "turn", ClipRotation{0, Axis::y}, -0.1, 0.1);
+  Measure tip = measure(Measure::Type::position, "tip_z");
+  tip.unit = "m";
+  tip.arc_length = 0.2;
+  tip.direction = Eigen::Vector3d::UnitZ();
+  scene.measures.push_back(tip);
   return scene;
 }
 
@@ -74,6 +81,14 @@ Produced simulate(const Scene& scene, BlockExchange* exchange, std::size_t threa
 
 using Store = std::map<BlockRange, std::string>;
 
+bool sameBlocks(const Store& one, const Store& other) {
+  return std::equal(one.begin(), one.end(), other.begin(), other.end(),
+                    [](const auto& mine, const auto& theirs) {
+                      return mine.first.first == theirs.first.first &&
+                             mine.first.count == theirs.first.count && mine.second == theirs.second;
+                    });
+}
+
 // Has some blocks from before, gets others solved elsewhere in an order of its own, and notes all.
 class Elsewhere : public BlockExchange {
  public:
@@ -95,6 +110,7 @@ class Elsewhere : public BlockExchange {
       BlockRange range;
       const bool dealt = out.size() < 4 && dealer.next(range);
       if (dealt) out.push_back(range);
+      if (out.empty()) std::this_thread::yield();
       if (out.empty() || (dealt && random_() % 2 == 0)) continue;
       std::swap(out.back(), out[random_() % out.size()]);
       dealer.deliver(out.back(), others_.at(out.back()));
@@ -127,9 +143,8 @@ class Helper : public BlockExchange {
 };
 
 TEST(BlockExchange, blocks_solved_elsewhere_and_before_give_the_same_bits) {
-  const Scene scene = strip();
+  const Scene scene = turningRod();
   const Produced alone = simulate(scene, nullptr, 2);
-  ASSERT_GT(alone.simulation.statistics.count(SampleOutcome::snapped), 0u);
   Helper helper;
   EXPECT_EQ(simulate(scene, &helper, 1).simulation.statistics.samples, 0u);
   ASSERT_EQ(helper.solved.size(), 8u);
@@ -141,19 +156,19 @@ TEST(BlockExchange, blocks_solved_elsewhere_and_before_give_the_same_bits) {
     }
     Elsewhere exchange(before, seed % 2 == 0 ? helper.solved : Store(), seed);
     EXPECT_TRUE(simulate(scene, &exchange, 1 + seed % 2) == alone) << seed;
-    EXPECT_EQ(exchange.kept, helper.solved) << seed;
+    EXPECT_TRUE(sameBlocks(exchange.kept, helper.solved)) << seed;
   }
 }
 
 TEST(BlockExchange, parts_of_a_simulation_have_its_samples) {
-  const Scene scene = strip();
+  const Scene scene = turningRod();
   const Produced whole = simulate(scene, nullptr, 2);
   const Produced part = simulate(scene, nullptr, 2, 256, 384);
   EXPECT_TRUE(std::equal(part.numbers.begin(), part.numbers.end(), whole.numbers.begin() + 384 * 4));
 }
 
 TEST(BlockExchange, what_are_no_bytes_of_a_block_is_refused) {
-  const Scene scene = strip();
+  const Scene scene = turningRod();
   Helper helper;
   simulate(scene, &helper, 1);
   const auto refuse = [&](const std::string& bytes, const std::string& what) {
@@ -184,7 +199,7 @@ TEST(BlockExchange, what_it_throws_ends_the_simulation) {
       if (range.first >= 256) throw std::runtime_error("full");
     }
   };
-  const Scene scene = strip();
+  const Scene scene = turningRod();
   Full full;
   EXPECT_THROW(simulate(scene, &full, 2), std::runtime_error);
 }
