@@ -177,12 +177,9 @@ void BlockFileWriter::open() {
   constexpr mode_t kAll = 0666;  // less what the process's mask takes away
   file_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK, kAll);
   if (file_ < 0) fail(path_, "written", errno);
-  int error = 0;
-  if (::flock(file_, LOCK_EX | LOCK_NB) != 0) {
-    error = errno;
-  } else if (::ftruncate(file_, static_cast<off_t>(end_)) != 0) {
-    error = errno;
-  }
+  const bool done =
+      ::flock(file_, LOCK_EX | LOCK_NB) == 0 && ::ftruncate(file_, static_cast<off_t>(end_)) == 0;
+  const int error = done ? 0 : errno;
   if (error == 0) return;
   ::close(file_);
   if (error == EWOULDBLOCK)

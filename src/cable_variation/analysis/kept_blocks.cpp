@@ -98,6 +98,7 @@ std::vector<BlockFileReader> checkedShards(const std::vector<std::string>& paths
     }
   }
   std::vector<const BlockFileReader*> order;
+  order.reserve(shards.size());
   for (const BlockFileReader& shard : shards) order.push_back(&shard);
   std::sort(order.begin(), order.end(), [](const BlockFileReader* one, const BlockFileReader* other) {
     return one->header().first < other->header().first;
