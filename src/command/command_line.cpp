@@ -89,6 +89,7 @@ Answer cancelled() {
 
 /// @param who says what went wrong, in front of it; empty: a scene's faults, which say where they are
 int report(const std::string& who, const Answer& answer, bool json) {
+  if (answer.quiet) return kGood;
   if (!json) {
     for (const std::string& warning : answer.warnings) tell("warning: " + warning);
   }

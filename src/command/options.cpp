@@ -79,6 +79,11 @@ void Options::word(const char* name, std::string& to, const std::string& help) {
   words_.push_back({name, help, &to});
 }
 
+void Options::words(const char* name, std::vector<std::string>& to, const std::string& help) {
+  more_ = {name, help, nullptr};
+  all_ = &to;
+}
+
 void Options::shortName(char letter, const char* name) {
   find(name);
   letters_[letter] = name;
@@ -150,6 +155,10 @@ void Options::read(const std::vector<std::string>& words) {
   for (std::size_t i = 0; i < words.size();) {
     const std::string word = longForm(words[i++]);
     if (!isOption(word)) {
+      if (taken == words_.size() && all_ != nullptr) {
+        all_->push_back(word);
+        continue;
+      }
       if (taken == words_.size()) {
         throw UsageError("unexpected " + quoted(word) + ", expected " +
                          (words_.empty() ? "options only" : words_.back().name + " once, and options"));
@@ -178,11 +187,13 @@ void Options::read(const std::vector<std::string>& words) {
   }
   if (taken < words_.size())
     throw UsageError(words_[taken].name + " is missing: expected " + words_[taken].help);
+  if (all_ != nullptr && all_->empty()) throw UsageError(more_.name + " are missing: expected " + more_.help);
 }
 
 std::string Options::usage() const {
   std::string line;
   for (const Word& each : words_) line += each.name + " ";
+  if (all_ != nullptr) line += more_.name + " ... ";
   return line + "[OPTIONS]";
 }
 
@@ -194,6 +205,7 @@ std::string Options::help() const {
              "\n";
   };
   for (const Word& each : words_) add(each.name, each.help);
+  if (all_ != nullptr) add(more_.name + " ...", more_.help);
   for (const Option& each : options_)
     add("--" + each.name + (each.value.empty() ? "" : " " + each.value), each.help);
   return lines;

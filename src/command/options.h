@@ -22,6 +22,9 @@ class Options {
   /// The word before or after all options. @param help of one line, as those below
   void word(const char* name, std::string& to, const std::string& help);
 
+  /// One such word or more, after those of word().
+  void words(const char* name, std::vector<std::string>& to, const std::string& help);
+
   /// A letter that "-LETTER" stands for an option by, which is declared.
   void shortName(char letter, const char* name);
 
@@ -66,6 +69,8 @@ class Options {
   std::vector<Option> options_;
   std::map<char, std::string> letters_;
   std::vector<Word> words_;
+  Word more_{};                              // of words()
+  std::vector<std::string>* all_ = nullptr;  // where they go; nullptr: there are none
 };
 
 }  // namespace cable_variation_command

@@ -1,71 +1,36 @@
 #include <atomic>
-#include <cmath>
+#include <filesystem>
 #include <memory>
 #include <utility>
 
-#include <cable_variation/analysis/scene_loading.h>
+#include <cable_variation/analysis/kept_blocks.h>
 #include <cable_variation/analysis/simulation_calculation.h>
-#include <cable_variation/report/cable_variation_section.h>
-#include <cable_variation/report/simulation_tables.h>
-#include <cable_variation/util/number_text.h>
+#include <cable_variation/util/error.h>
 #include <command/loaded_design.h>
+#include <command/ranks.h>
 #include <command/scene_options.h>
-#include <command/simulation_json.h>
-#include <command/text_table.h>
+#include <command/simulation_answer.h>
 #include <command/verb.h>
 
 namespace cable_variation_command {
 
-using cable_variation::numberText;
-using cable_variation::SampleOutcome;
-using cable_variation::Scene;
-using cable_variation::Simulation;
+using cable_variation::BlockFileHeader;
+using cable_variation::KeptBlocks;
 using cable_variation::SimulationCalculation;
-using cable_variation::SimulationStatistics;
 using cable_variation::SimulationTask;
+using cable_variation::StatusCode;
 
 namespace {
-
-std::string outcomesText(const SimulationStatistics& found) {
-  std::string text = std::to_string(found.samples) + " samples: ";
-  if (found.count(SampleOutcome::solved) == found.samples) return text + "all solved\n";
-  text += std::to_string(found.count(SampleOutcome::solved)) + " solved";
-  const auto tell = [&](SampleOutcome outcome, const char* what) {
-    if (found.count(outcome) > 0) text += ", " + std::to_string(found.count(outcome)) + " " + what;
-  };
-  tell(SampleOutcome::snapped, "snapped to another equilibrium, their values count");
-  tell(SampleOutcome::not_converged, "without an equilibrium that was found");
-  tell(SampleOutcome::impossible, "impossible to build");
-  return text + "\n";
-}
-
-std::string textOf(const Scene& scene, const Simulation& simulation) {
-  const SimulationStatistics& found = simulation.statistics;
-  std::string text;
-  if (found.samples > 1) {
-    text += tableText(meanTable(scene, found)) + "\n" + tableText(capabilityTable(scene, found)) + "\n";
-    if (found.contributions.first_order.size() > 0) {
-      text += tableText(shareTable(scene, found, "Share of the variance, first-order Sobol' index",
-                                   found.contributions.first_order)) +
-              "\n";
-    }
-    text += tableText(largestVariationTable(scene, simulation)) + "\n";
-  }
-  text += outcomesText(found);
-  text += std::string(toString(found.sampler)) + ", seed " + std::to_string(found.seed) + "; " +
-          numberText(simulation.time, 3) + " s";
-  if (simulation.time > 0.0)
-    text += ", " + std::to_string(std::lround(static_cast<double>(found.samples) / simulation.time)) +
-            " a second";
-  return text + "\n";
-}
 
 class SimulateVerb : public Verb {
  public:
   void declare(Options& options) override {
+    options_ = &options;
     scene_.declare(options);
     options.count("samples", "COUNT", request_.samples,
                   "10,000; with --sigma_error no more than these, 1,000,000");
+    options.count("first_sample", "INDEX", request_.first_sample,
+                  "a shard: --samples from this index on, kept in NAME.blocks for `cable_variation merge`");
     options.number("sigma_error", "SHARE", "1", request_.sigma_error,
                    "stop when each sigma is known to this share, as 2%; default: after --samples");
     options.number("confidence", "SHARE", "1", request_.confidence, "of all intervals; default: 95%");
@@ -81,6 +46,8 @@ class SimulateVerb : public Verb {
     options.count("sections", "COUNT", request_.sections, "along each cable, for the variation along it; 33");
     options.text("name", "NAME", request_.name,
                  "write NAME.csv, NAME_statistics.csv, NAME_contributions.csv and NAME.html");
+    options.flag("resume", resume_,
+                 "go on with a run of --name that was killed, from its last complete block");
     files_.declare(options);
     limits_.declare(options);
   }
@@ -88,44 +55,99 @@ class SimulateVerb : public Verb {
   bool keepsWhatWasDone() const override { return simulating_; }
 
   Answer run(cable_variation::RunControl& control) override {
+    const std::unique_ptr<Ranks> ranks = Ranks::join(limits_.threads, control);
+    if (!ranks) return simulate(control, nullptr);
+    try {
+      Answer answer = simulate(control, ranks.get());
+      ranks->leave();
+      return answer;
+    } catch (const std::exception& error) {
+      if (ranks->isHelper()) return ranks->failed(error);  // the first rank says so
+      ranks->leave();
+      throw;
+    }
+  }
+
+ private:
+  void checkOptions() const {
+    const bool is_shard = options_->given("first_sample");
+    for (const char* const option : {"first_sample", "resume"}) {
+      if (options_->given(option) && request_.name.empty())
+        throw UsageError(std::string("--") + option + ": is given without --name, which its file has");
+    }
+    if (is_shard && request_.samples == 0)
+      throw UsageError("--first_sample: is given without --samples, how many there are from there on");
+  }
+
+  Answer simulate(cable_variation::RunControl& control, Ranks* ranks) {
+    checkOptions();
     LoadedDesign design(scene_.load(control), files_.author);
-    const Scene& loaded = design.scene();
-    values_.resolve(loaded, request_.nominal_variables, request_.nominal_values);
+    values_.resolve(design.scene(), request_.nominal_variables, request_.nominal_values);
     if (request_.variables.empty()) request_.variables = {"*"};
     const SimulationTask task =
         toSimulationTask(request_, design.design(), {}, limits_.threads, limits_.memory_limit);
     const cable_variation::OutputDirectory output = files_.output();
-    if (!task.name.empty()) output.requireWritable();
+    const bool writes = !task.name.empty() && (ranks == nullptr || !ranks->isHelper());
+    if (writes) {
+      output.requireWritable();
+      requireSpace(output, task, design.scene());
+    }
     const cable_variation::DesignSnapshot snapshot = snapshotFor(task.options, design.snapshot());
-    const Scene& scene = snapshot.design.scene;
+    const cable_variation::Scene& scene = snapshot.design.scene;
     const cable_variation::SolvedScene any = design.solved();
     const cable_variation::MeasureEvaluator evaluator = design.evaluator(any).with(scene, any);
+    const cable_variation::SimulationIdentity identity = identityOf(task, snapshot);
+    if (ranks != nullptr) ranks->agree(identity);
     control.throwIfCancelled();
     simulating_ = true;
-    const SimulationCalculation found = calculateSimulation(task, snapshot, evaluator, output, control);
-
-    Answer answer;
-    answer.status = found.status;
-    answer.json = simulationJson(scene, task.options.values, found.simulation);
-    answer.json.set("samples_file", found.paths.samples).set("statistics_file", found.paths.statistics);
-    answer.json.set("contributions_file", found.paths.contributions).set("report_file", found.paths.report);
-    answer.json.set("report_time", found.report_time);
-    if (found.simulation.statistics.samples > 0) answer.text = textOf(scene, found.simulation);
-    for (const std::string& file :
-         {found.paths.samples, found.paths.statistics, found.paths.contributions, found.paths.report})
-      answer.text += file.empty() ? "" : file + "\n";
-    answer.warnings = warningsOf(scene);
-    const std::vector<std::string>& more = found.simulation.warnings;
-    answer.warnings.insert(answer.warnings.end(), more.begin(), more.end());
+    if (ranks != nullptr && ranks->isHelper()) {
+      simulateVariation(scene, evaluator, task.options, solverAt(snapshot, task.options, task.other_design),
+                        {}, control.observer(), ranks);
+      return ranks->quiet();
+    }
+    std::unique_ptr<KeptBlocks> kept;
+    if (writes) {
+      const BlockFileHeader header{identity, requestLines(request_),
+                                   std::filesystem::absolute(scene.source).string(),
+                                   task.options.first_sample, task.options.samples};
+      kept = std::make_unique<KeptBlocks>(output.fileFor(task.name, ".blocks"), header, resume_,
+                                          options_->given("first_sample"));
+    }
+    if (ranks != nullptr) ranks->keepIn(kept.get());
+    const SimulationCalculation found = calculateSimulation(
+        task, snapshot, evaluator, output, control,
+        ranks != nullptr ? static_cast<cable_variation::BlockExchange*>(ranks) : kept.get());
+    Answer answer = simulationAnswer(scene, task.options.values, found);
+    if (kept) tellOf(*kept, found, answer);
     return answer;
   }
 
- private:
+  void tellOf(KeptBlocks& kept, const SimulationCalculation& found, Answer& answer) const {
+    const bool complete = found.status.code == StatusCode::success;
+    kept.finish(complete);
+    const bool stays = !complete || options_->given("first_sample");
+    answer.json.set("blocks_file", stays ? kept.path() : "").set("resumed_samples", kept.resumed());
+    if (stays) answer.text += kept.path() + "\n";
+    if (resume_) {
+      answer.text += kept.resumed() == 0 ? "Nothing to go on with: all samples are new\n"
+                                         : std::to_string(kept.resumed()) + " samples were there already\n";
+    }
+    std::string& message = answer.status.message;
+    if (!kept.error().empty()) {
+      message += (message.empty() ? "" : "; ") + kept.error();
+      if (complete) answer.status.code = StatusCode::io_error;
+    } else if (found.simulation.ended_early) {
+      message += "; --resume goes on from there";
+    }
+  }
+
+  const Options* options_ = nullptr;
   SceneOption scene_;
   ValueOptions values_;
   FileOptions files_;
   LimitOptions limits_;
   cable_variation::SimulationRequest request_;
+  bool resume_ = false;
   std::atomic<bool> simulating_{false};
 };
 

@@ -17,6 +17,7 @@ struct Answer {
   std::string text;                   ///< for a person: lines, as they go to the standard output
   Json json = Json::object();         ///< for a program: the fields beside the status
   std::vector<std::string> warnings;  ///< for a person, to the standard error; `json` has them by itself
+  bool quiet = false;                 ///< another process answers for this one: nothing is told, exit code 0
 };
 
 /// What `cable_variation` does at a word such as "solve". Its options' values are in the object.
@@ -51,6 +52,7 @@ std::unique_ptr<Verb> makeEnvelope();
 std::unique_ptr<Verb> makeExport();
 std::unique_ptr<Verb> makeIdentify();
 std::unique_ptr<Verb> makeImport();
+std::unique_ptr<Verb> makeMerge();
 std::unique_ptr<Verb> makeReport();
 std::unique_ptr<Verb> makeSimulate();
 std::unique_ptr<Verb> makeSolve();

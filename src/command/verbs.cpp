@@ -16,6 +16,11 @@ const std::vector<VerbRow>& verbs() {
        makeEnvelope},
       {"simulate", "production: statistics, capability and contributions of every measure",
        "Ctrl-C ends it with what was done by then. As ~simulate_variation does it.", makeSimulate},
+      {"merge", "shards of a simulation, as one",
+       "What `simulate --first_sample` has left in files NAME.blocks, on one machine or many: the figures "
+       "and\n"
+       "files of one run, bit for bit (doc/scaling.md).",
+       makeMerge},
       {"report", "all of it on one page, with verdicts",
        "The design at rest, its stability analysis, a simulation and the envelope.", makeReport},
       {"import", "a harness from its KBL file, as a scene file",

@@ -170,7 +170,7 @@ class CommandLineTest(unittest.TestCase):
             options = set(re.findall(r'^  --(\w+)', self.good(verb, '--help'), re.MULTILINE))
             self.assertLessEqual(fields, options, verb)
             self.assertLessEqual(options - fields, {'set', 'output_directory', 'author', 'threads', 'memory_limit',
-                                                    'json', 'help'})
+                                                    'json', 'help', 'first_sample', 'resume'})
 
     def test_solve_with_units_as_without(self):
         plain = self.answer('solve', HARNESS, '--variables', 'wh_start_rz', '--values', '0.05')
@@ -397,12 +397,13 @@ class CommandLineTest(unittest.TestCase):
 
     def test_ctrl_c_keeps_the_samples_done(self):
         partial = os.path.join(self.folder, 'long.csv.partial')
-        words = ('simulate', HARNESS, '--samples', '100000000', '--name', 'long', '--json')
+        words = ('simulate', HARNESS, '--samples', '10000000', '--name', 'long', '--json')
         code, out, err = self.interrupted(words,
                                           lambda: os.path.exists(partial) and os.path.getsize(partial) > 100000)
         answer = parsed(out)
         self.assertEqual((code, answer['status']['code']), (1, 5))
-        self.assertRegex(err, r'^cable_variation simulate: cancelled after \d+ of 100000000 samples\n$')
+        self.assertRegex(err, r'^cable_variation simulate: cancelled after \d+ of 10000000 samples; '
+                              r'--resume goes on from there\n$')
         self.assertGreater(answer['samples'], 0)
         self.assertEqual(answer['samples_file'], partial)
         self.assertFalse(os.path.exists(os.path.join(self.folder, 'long.csv')))

@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <cable_variation/util/error.h>
+#include <cable_variation/util/number_text.h>
 
 namespace cable_variation {
 
@@ -22,6 +23,11 @@ bool canNameAFile(const std::string& name) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
            c == '-' || c == '.';
   });
+}
+
+std::string gigabytes(double bytes) {
+  constexpr double kGigabyte = 1e9;
+  return numberText(bytes / kGigabyte, 3) + " GB";
 }
 
 }  // namespace
@@ -46,15 +52,29 @@ void OutputDirectory::make() const {
   if (error) throw FileError("folder '" + path_ + "' cannot be made: " + error.message());
 }
 
-void OutputDirectory::requireWritable() const {
-  std::filesystem::path there = path_;  // the folder, or what is there of the way to it
+std::string OutputDirectory::nearest() const {
+  std::filesystem::path there = path_;
   std::error_code error;
   while (!std::filesystem::exists(there, error) && there.has_relative_path()) there = there.parent_path();
+  return there;
+}
+
+void OutputDirectory::requireWritable() const {
+  const std::string there = nearest();
+  std::error_code error;
   const std::string folder = "folder '" + path_ + "' cannot be " + (there == path_ ? "written to" : "made");
   if (!std::filesystem::is_directory(there, error))
-    throw FileError(folder + ": '" + there.string() + "' is no folder");
+    throw FileError(folder + ": '" + there + "' is no folder");
   if (::access(there.c_str(), W_OK | X_OK) != 0)
     throw FileError(folder + ": " + std::generic_category().message(errno));
+}
+
+void OutputDirectory::requireSpace(double bytes) const {
+  std::error_code error;
+  const std::filesystem::space_info space = std::filesystem::space(nearest(), error);
+  if (error || static_cast<double>(space.available) >= bytes) return;
+  throw FileError("folder '" + path_ + "' has " + gigabytes(static_cast<double>(space.available)) +
+                  " free, what is to be written there takes about " + gigabytes(bytes));
 }
 
 std::string OutputDirectory::fileFor(const std::string& name, const std::string& extension) const {

@@ -25,10 +25,16 @@ class OutputDirectory {
   /// FileError that names the folder and what is wrong.
   void requireWritable() const;
 
+  /// Likewise whether so many bytes have room there. Throws FileError that names the folder, what is free and
+  /// what is not.
+  void requireSpace(double bytes) const;
+
   /// pathOf() in a folder that is there. Throws as both.
   std::string fileFor(const std::string& name, const std::string& extension) const;
 
  private:
+  std::string nearest() const;  // the folder, or what is there of the way to it
+
   std::string path_;
 };
 

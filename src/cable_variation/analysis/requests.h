@@ -54,6 +54,7 @@ struct EnvelopeRequest {
 /// As SimulateVariation, without what RViz is to show but the shapes that are kept for it.
 struct SimulationRequest {
   std::uint64_t samples = 0;
+  std::uint64_t first_sample = 0;  ///< not of the service: a part of a simulation, from this index on
   double sigma_error = 0.0;
   double confidence = 0.0;
   std::uint64_t seed = 0;

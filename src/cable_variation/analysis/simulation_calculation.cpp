@@ -24,14 +24,14 @@ AnswerStatus statusOf(const Simulation& simulation, const std::string& file_erro
 
 SimulationCalculation calculateSimulation(const SimulationTask& task, const DesignSnapshot& snapshot,
                                           const MeasureEvaluator& evaluator, const OutputDirectory& output,
-                                          RunControl& control) {
+                                          RunControl& control, BlockExchange* exchange) {
   const Scene& scene = snapshot.design.scene;
   const EquilibriumSolver solver = solverAt(snapshot, task.options, task.other_design);
   SimulationFiles files(output, task, scene, snapshot.origin);
-  SimulationCalculation found{
-      simulateVariation(scene, evaluator, task.options, solver, files.receiver(), control.observer()),
-      {},
-      {}};
+  SimulationCalculation found{simulateVariation(scene, evaluator, task.options, solver, files.receiver(),
+                                                control.observer(), exchange),
+                              {},
+                              {}};
   const Clock::time_point start = Clock::now();
   found.paths = files.finish(found.simulation);
   found.report_time = secondsSince(start);

@@ -22,9 +22,10 @@ struct SimulationCalculation {
 
 /// @param snapshot as snapshotFor() gives it
 /// @param evaluator of its scene, whatever its nominal shape
+/// @param exchange of blocks with files and other processes, or nullptr
 /// Cancelled, it has the samples done by then. Throws as simulateVariation(), SimulationFiles.
 SimulationCalculation calculateSimulation(const SimulationTask& task, const DesignSnapshot& snapshot,
                                           const MeasureEvaluator& evaluator, const OutputDirectory& output,
-                                          RunControl& control);
+                                          RunControl& control, BlockExchange* exchange = nullptr);
 
 }  // namespace cable_variation

@@ -12,6 +12,9 @@ namespace cable_variation {
 
 namespace {
 
+// Bytes of a sample: its number and outcome, a number in NAME.csv and in a block; of a place on a cable.
+constexpr double kCsvSample = 16.0, kCsvNumber = 20.0, kBlockNumber = 8.0, kBlockPlace = 1.0;
+
 /// What was asked for, at the head of the report.
 std::vector<ReportFact> about(const Scene& scene, const SimulationOptions& options,
                               const Simulation& simulation) {
@@ -39,6 +42,16 @@ ComponentPoses posesShown(const Scene& scene, const SimulationOptions& options,
 }
 
 }  // namespace
+
+void requireSpace(const OutputDirectory& output, const SimulationTask& task, const Scene& scene) {
+  const SimulationOptions& options = task.options;
+  if (options.sigma_error > 0.0) return;
+  const auto count = [](std::uint64_t number) { return static_cast<double>(number); };
+  const double columns = count(options.variables.size() + options.measures.size());
+  const double places = count(scene.harness.cables.size() * options.sections);
+  const double sample = kCsvSample + (kCsvNumber + kBlockNumber) * columns + kBlockPlace * places;
+  output.requireSpace(count(options.samples) * sample);
+}
 
 SimulationFiles::SimulationFiles(const OutputDirectory& output, const SimulationTask& task,
                                  const Scene& scene, const DesignOrigin& origin)

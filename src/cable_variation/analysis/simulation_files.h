@@ -18,6 +18,10 @@ struct SimulationPaths {
   std::string statistics, contributions, report;
 };
 
+/// Whether the disk has room for the samples of a simulation, as NAME.csv and as blocks, as far as their
+/// number is known. Throws FileError that names the folder, what is free there and about how much it takes.
+void requireSpace(const OutputDirectory& output, const SimulationTask& task, const Scene& scene);
+
 /// The files of a simulation. What goes wrong with one is kept and told, and ends nothing: a disk that fills
 /// must not cost the statistics.
 class SimulationFiles {

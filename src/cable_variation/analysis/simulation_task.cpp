@@ -36,6 +36,7 @@ void readCounts(const SimulationRequest& request, SimulationOptions& options) {
   options.confidence = shareOr(options.confidence, request.confidence, "confidence");
   if (options.sigma_error > 0.0) options.samples = kMostUnlessGiven;
   if (request.samples != 0) options.samples = request.samples;
+  options.first_sample = request.first_sample;
   if (request.seed != 0) options.seed = request.seed;
   if (!request.sampler.empty()) options.sampler = samplerTypeOf(request.sampler);
   if (options.sigma_error > 0.0 && options.sampler == SamplerType::latin_hypercube) {

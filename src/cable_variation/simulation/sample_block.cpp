@@ -20,6 +20,18 @@ void SampleFigures::merge(SampleFigures&& later) {
   discretisation_error = std::max(discretisation_error, later.discretisation_error);
 }
 
+void addToMeasures(SampleBlock& block, std::size_t at, std::size_t count,
+                   const BlockWorker::Instants& instants, std::vector<double>& linear) {
+  const bool one_instant = instants.size() == 1;
+  for (std::size_t i = at; i < at + count; ++i) {
+    const double* sample = block.deviations.col(static_cast<Eigen::Index>(i)).data();
+    const double* values = block.values.col(static_cast<Eigen::Index>(i)).data();
+    if (one_instant) instants.front()->predict(sample, linear.data());
+    block.figures.measures.add(block.first + i, block.outcomes[i], sample, values,
+                               one_instant ? linear.data() : nullptr);
+  }
+}
+
 BlockWorker::BlockWorker(const Scene& scene, const std::vector<std::size_t>& measures, const Sampler& sampler,
                          const Instants& instants, const SampleFigures& empty, std::uint64_t kept_shapes)
     : scene_(&scene),
@@ -64,13 +76,8 @@ void BlockWorker::solveSome(SampleBlock& block, std::size_t at, std::size_t coun
           std::max(block.figures.discretisation_error, solved[i].discretisation_error);
     }
   }
-  const bool one_instant = workers_.size() == 1;
+  addToMeasures(block, at, count, *instants_, linear_);
   for (std::size_t i = at; i < at + count; ++i) {
-    const double* sample = block.deviations.col(static_cast<Eigen::Index>(i)).data();
-    const double* values = block.values.col(static_cast<Eigen::Index>(i)).data();
-    if (one_instant) instants_->front()->predict(sample, linear_.data());
-    block.figures.measures.add(block.first + i, block.outcomes[i], sample, values,
-                               one_instant ? linear_.data() : nullptr);
     const bool has_values = hasValues(block.outcomes[i]);
     for (const std::size_t instant : at_[i - at]) block.figures.worst[instant] += has_values ? 1 : 0;
   }

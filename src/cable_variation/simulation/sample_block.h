@@ -35,6 +35,12 @@ struct SampleBlock {
   bool complete = false;  ///< false: left before its end
 };
 
+/// Adds samples of a block, with their outcomes and values, to what its figures have of measures.
+/// @param instants of the simulation @param linear room for a number per measure
+void addToMeasures(SampleBlock& block, std::size_t at, std::size_t count,
+                   const std::vector<std::unique_ptr<const DesignInstant>>& instants,
+                   std::vector<double>& linear);
+
 /// Solves blocks of samples. One per thread.
 class BlockWorker {
  public:

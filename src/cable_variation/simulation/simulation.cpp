@@ -1,29 +1,28 @@
 #include <cable_variation/simulation/simulation.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <limits>
 #include <memory>
-#include <mutex>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
+#include <thread>
 
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/task_arena.h>
 
 #include <cable_variation/scene/severity.h>
+#include <cable_variation/simulation/block_bytes.h>
+#include <cable_variation/simulation/block_desk.h>
 #include <cable_variation/simulation/sample_block.h>
+#include <cable_variation/simulation/simulation_options.h>
+#include <cable_variation/simulation/simulation_watch.h>
 #include <cable_variation/simulation/worst_over_motion.h>
-#include <cable_variation/util/chosen_indices.h>
-#include <cable_variation/util/pipeline.h>
 #include <cable_variation/util/seconds_since.h>
 #include <cable_variation/util/thread_limit.h>
 
 namespace cable_variation {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 // Samples of a block: some tens of milliseconds of work, the figures of one kept by itself until its turn.
 constexpr std::size_t kBlock = 128;
 // After so many samples σ is looked at for the first time, and then after at most so many times as many:
@@ -31,7 +30,6 @@ constexpr std::size_t kBlock = 128;
 constexpr std::uint64_t kPilot = 1024, kGrowth = 2;
 // Trial samples that the times of a motion are chosen by, of another seed than the simulation's.
 constexpr std::uint64_t kTrials = 256, kTrialSeed = 0x9e3779b97f4a7c15;
-constexpr double kAsked = 0.05;  // the observer, at most so often [s]
 // What is missed over a motion is warned of from this share of a measure's σ.
 constexpr double kMissed = 0.05;
 
@@ -47,97 +45,24 @@ template <typename... Parts>
   throw std::invalid_argument(text(parts...));
 }
 
-// Tells the observer, one thread at a time, and remembers when it wants an end.
-class Watch {
- public:
-  Watch(const ProgressObserver& observer, const Scene& scene, const SimulationOptions& options)
-      : observer_(observer), start_(Clock::now()) {
-    progress_.stage = "times";
-    progress_.wanted = options.samples;
-    for (const std::size_t index : options.measures)
-      progress_.figures.push_back({scene.measures[index].name, kNaN, kNaN});
-  }
-
-  bool ended() const { return ended_; }
-
-  void update(const SimulationAccumulator& figures, std::uint64_t wanted) {
-    if (!observer_ || secondsSince(start_) < refreshed_ + kAsked) return;
-    const std::lock_guard<std::mutex> lock(mutex_);
-    refreshed_ = secondsSince(start_);
-    progress_.stage = "samples";
-    progress_.done = figures.samples();
-    progress_.wanted = wanted;
-    progress_.share = static_cast<double>(progress_.done) / static_cast<double>(wanted);
-    progress_.snapped = figures.count(SampleOutcome::snapped);
-    progress_.failed = figures.count(SampleOutcome::not_converged) + figures.count(SampleOutcome::impossible);
-    const std::vector<RunningFigures> running = figures.running();
-    for (std::size_t i = 0; i < running.size(); ++i) {
-      progress_.figures[i].mean = running[i].mean;
-      progress_.figures[i].sigma = running[i].sigma;
-    }
-    if (due()) tell();
-  }
-
-  // By any thread; whether the work goes on.
-  bool goesOn() {
-    if (ended_) return false;
-    if (!observer_ || !due()) return true;
-    const std::unique_lock<std::mutex> lock(mutex_, std::try_to_lock);
-    if (lock.owns_lock()) tell();
-    return !ended_;
-  }
-
- private:
-  bool due() const { return secondsSince(start_) > told_ + kAsked; }
-
-  void tell() {
-    told_ = secondsSince(start_);
-    if (!ended_) ended_ = !observer_(progress_);
-  }
-
-  const ProgressObserver& observer_;
-  Clock::time_point start_;
-  std::mutex mutex_;
-  Progress progress_;
-  double refreshed_ = 0.0;  // the figures in it [s]; told or not, for others tell in between
-  std::atomic<double> told_{0.0};
-  std::atomic<bool> ended_{false};
-};
-
-SimulationOptions checked(const Scene& scene, SimulationOptions options) {
-  if (options.variables.empty()) refuse("no design variables: expected at least one that varies");
-  if (options.samples < 1 || options.samples > kMostSamples)
-    refuse("samples: ", options.samples, "; expected 1 to ", kMostSamples);
-  if (!(options.sigma_error >= 0.0 && options.sigma_error < 1.0))
-    refuse("sigma_error: ", options.sigma_error, "; expected below 1, and above 0 or 0: the count is given");
-  if (options.sigma_error > 0.0 && options.sampler == SamplerType::latin_hypercube)
-    refuse(
-        "sampler latin_hypercube: its samples are of a count; expected monte_carlo or sobol with a "
-        "sigma_error");
-  if (!(options.confidence > 0.0 && options.confidence < 1.0))
-    refuse("confidence: ", options.confidence, "; expected above 0, below 1");
-  if (options.sections < 2) refuse("sections: ", options.sections, "; expected at least 2");
-  if (options.most_times < 1) refuse("most_times: 0; expected at least 1");
-  if (!(options.from >= 0.0) || !(options.to >= options.from) || !std::isfinite(options.to))
-    refuse("from ", options.from, " s to ", options.to, " s; expected times in order, of at least 0");
-  if (scene.harness.cables.empty()) refuse("the scene has no cables");
-  options.measures = allOrChosen(options.measures, scene.measures.size(), "measure");
-  return options;
-}
-
 class Simulator {
  public:
   Simulator(const Scene& scene, const MeasureEvaluator& evaluator, const SimulationOptions& options,
-            const EquilibriumSolver& solver, const SampleReceiver& receiver, const ProgressObserver& observer)
+            const EquilibriumSolver& solver, const SampleReceiver& receiver, const ProgressObserver& observer,
+            BlockExchange* exchange)
       : start_(Clock::now()),
         scene_(scene),
         evaluator_(evaluator),
-        options_(checked(scene, options)),
+        options_(checkedOptions(scene, options)),
         space_(scene, options_),
-        sampler_(scene, options_.variables, options_.sampler, options_.samples, options_.seed),
+        sampler_(scene, options_.variables, options_.sampler, options_.first_sample + options_.samples,
+                 options_.seed),
         solver_(solver),
         receiver_(receiver),
+        exchange_(exchange),
         watch_(observer, scene, options_) {
+    if (exchange != nullptr && options_.kept_shapes > 0)
+      refuse("kept_shapes: ", options_.kept_shapes, "; expected 0 with an exchange of blocks");
     requirePhysical();
   }
 
@@ -207,6 +132,7 @@ class Simulator {
   }
 
   void solveAll() {
+    if (exchange_ != nullptr && exchange_->isHelper()) return help();
     if (options_.sigma_error == 0.0) return solve(options_.samples);
     solve(std::min(kPilot, options_.samples));
     while (!watch_.ended() && figures_->measures.samples() < options_.samples) {
@@ -216,38 +142,63 @@ class Simulator {
     }
   }
 
-  // Up to the sample of index `end`: blocks in threads, their figures merged in their order.
-  void solve(std::uint64_t end) {
-    std::uint64_t next = figures_->measures.samples();
-    tbb::enumerable_thread_specific<BlockWorker> workers([&] {
-      return BlockWorker(scene_, options_.measures, sampler_, instants_, *empty_, options_.kept_shapes);
-    });
-    using Pointer = std::shared_ptr<SampleBlock>;
-    bool whole = true;  // no block was left
-    const auto first = tbb::make_filter<void, std::uint64_t>(
-        PipelineMode::serial_in_order, [&](tbb::flow_control& control) -> std::uint64_t {
-          if (next >= end || watch_.ended()) {
-            control.stop();
-            return 0;
-          }
-          const std::uint64_t at = next;
-          next = std::min(end, next + kBlock);
-          return at;
-        });
-    const auto work = tbb::make_filter<std::uint64_t, Pointer>(PipelineMode::parallel, [&](std::uint64_t at) {
-      const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(kBlock, end - at));
-      return std::make_shared<SampleBlock>(workers.local().solve(at, count, [&] { return watch_.goesOn(); }));
-    });
-    const auto collect =
-        tbb::make_filter<Pointer, void>(PipelineMode::serial_in_order, [&](const Pointer& block) {
-          whole = whole && block->complete;
-          if (whole) take(*block, end);
-        });
-    const auto tokens = 2 * static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
-    tbb::parallel_pipeline(tokens, first & work & collect);
+  BlockWorker worker() const {
+    return BlockWorker(scene_, options_.measures, sampler_, instants_, *empty_, options_.kept_shapes);
   }
 
-  void take(SampleBlock& block, std::uint64_t wanted) {
+  // For another process.
+  void help() {
+    const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+    exchange_->help(threads, [this]() -> BlockSolver {
+      const auto solver = std::make_shared<BlockWorker>(worker());
+      return [this, solver](const BlockRange& range) {
+        const SampleBlock block = solver->solve(range.first, range.count, [&] { return watch_.goesOn(); });
+        return block.complete ? toBytes(block) : std::string();
+      };
+    });
+  }
+
+  // Until `end` samples are there: blocks in threads and elsewhere, their figures merged in their order.
+  void solve(std::uint64_t end) {
+    const auto threads = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+    const std::size_t window = 2 * threads + (exchange_ == nullptr ? 0 : exchange_->mostElsewhere());
+    BlockDesk desk(options_.first_sample + figures_->measures.samples(), options_.first_sample + end, kBlock,
+                   window, [&](FinishedBlock& finished) { take(finished, end); });
+    std::vector<std::thread> working;
+    const auto orFail = [&](const auto& work) {
+      try {
+        work();
+      } catch (...) {
+        desk.fail(std::current_exception());
+      }
+    };
+    orFail([&] {
+      for (std::size_t i = 0; i < threads; ++i) working.emplace_back([&] { orFail([&] { workAt(desk); }); });
+      if (exchange_ != nullptr) exchange_->deal(desk);
+    });
+    for (std::thread& thread : working) thread.join();
+    desk.throwFailure();
+  }
+
+  void workAt(BlockDesk& desk) {
+    BlockWorker solver = worker();
+    const auto goes_on = [&] { return watch_.goesOn(); };
+    while (std::optional<BlockDesk::Work> work = desk.work(goes_on)) {
+      if (watch_.ended()) return desk.stop();
+      if (exchange_ != nullptr && work->bytes.empty()) work->bytes = exchange_->solvedBefore(work->range);
+      const BlockRange& range = work->range;
+      SampleBlock block = work->bytes.empty() ? solver.solve(range.first, range.count, goes_on)
+                                              : fromBytes(work->bytes, range, options_.variables.size(),
+                                                          options_.measures.size(), instants_, *empty_);
+      if (!block.complete) return desk.stop();
+      if (exchange_ != nullptr && work->bytes.empty()) work->bytes = toBytes(block);
+      desk.finish({std::move(block), std::move(work->bytes)});
+    }
+  }
+
+  void take(FinishedBlock& finished, std::uint64_t wanted) {
+    SampleBlock& block = finished.block;
+    if (exchange_ != nullptr) exchange_->keep({block.first, block.outcomes.size()}, finished.bytes);
     if (receiver_) {
       for (std::size_t i = 0; i < block.outcomes.size(); ++i) {
         const auto column = static_cast<Eigen::Index>(i);
@@ -353,7 +304,8 @@ class Simulator {
   Sampler sampler_;
   const EquilibriumSolver& solver_;
   const SampleReceiver& receiver_;
-  Watch watch_;
+  BlockExchange* exchange_;
+  SimulationWatch watch_;
   BlockWorker::Instants instants_;
   std::vector<std::size_t> unknown_;  // see WorstTimes, as is the next
   std::size_t phases_ = 0;
@@ -366,8 +318,9 @@ class Simulator {
 
 Simulation simulateVariation(const Scene& scene, const MeasureEvaluator& evaluator,
                              const SimulationOptions& options, const EquilibriumSolver& solver,
-                             const SampleReceiver& receiver, const ProgressObserver& observer) {
-  return Simulator(scene, evaluator, options, solver, receiver, observer).run();
+                             const SampleReceiver& receiver, const ProgressObserver& observer,
+                             BlockExchange* exchange) {
+  return Simulator(scene, evaluator, options, solver, receiver, observer, exchange).run();
 }
 
 }  // namespace cable_variation

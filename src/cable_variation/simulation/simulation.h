@@ -11,6 +11,7 @@
 #include <cable_variation/measures/measure_evaluation.h>
 #include <cable_variation/scene/scene.h>
 #include <cable_variation/sensitivity/stability_analysis.h>
+#include <cable_variation/simulation/block_exchange.h>
 #include <cable_variation/simulation/simulation_statistics.h>
 #include <cable_variation/statistics/arc_variation.h>
 #include <cable_variation/tolerances/varied_design.h>
@@ -25,6 +26,9 @@ struct SimulationOptions : VariedDesign {
   std::uint64_t seed = 1;
   /// 1 to kMostSamples. With sigma_error: no more than these.
   std::uint64_t samples = 10000;
+  /// Samples from this index on: a part of a simulation that begins at 0. Not with sigma_error, nor with
+  /// Latin hypercube samples.
+  std::uint64_t first_sample = 0;
   /// Above 0, below 1: end when the σ of every measure is known to this share of itself, to each side, at
   /// `confidence`. Not with Latin hypercube samples, which are of a count.
   double sigma_error = 0.0;
@@ -96,14 +100,19 @@ using SampleReceiver = std::function<void(std::uint64_t index, SampleOutcome out
 /// samples are solved at are those that are worst, by the first-order model at every pose recorded, for some
 /// sample of production.
 ///
+/// A block of samples is solved once in all that an exchange joins, and merged where it belongs: files and
+/// other processes change nothing of the figures either.
+///
 /// @param evaluator of the scene, whatever its nominal shape: similarities are to the design at that time
 /// @param solver the design's shape to follow, best solved; else it is solved from nothing
 /// @param observer told of the stages "times" (of a motion) and "samples"; asked for an end: what is done
+/// @param exchange of blocks with others; nullptr: with nobody. With one no shapes are kept
 /// Throws std::invalid_argument that names it: nothing varies, an index out of range or twice, counts,
 /// confidence or times that are none, a variable whose tolerance leaves the physical; as requireConverged()
 /// does: no equilibrium of the design itself.
 Simulation simulateVariation(const Scene& scene, const MeasureEvaluator& evaluator,
                              const SimulationOptions& options, const EquilibriumSolver& solver,
-                             const SampleReceiver& receiver = {}, const ProgressObserver& observer = {});
+                             const SampleReceiver& receiver = {}, const ProgressObserver& observer = {},
+                             BlockExchange* exchange = nullptr);
 
 }  // namespace cable_variation

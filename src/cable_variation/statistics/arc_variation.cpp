@@ -91,6 +91,39 @@ void ArcVariation::merge(const ArcVariation& later) {
   high_ = high_.cwiseMax(later.high_);
 }
 
+Eigen::VectorXd ArcVariation::collected() const {
+  Eigen::VectorXd numbers(collectedSize());
+  Index at = 0;
+  const auto write = [&](const auto& matrix) {
+    numbers.segment(at, matrix.size()) = Eigen::Map<const Eigen::VectorXd>(matrix.data(), matrix.size());
+    at += matrix.size();
+  };
+  numbers[at++] = static_cast<double>(count_);
+  write(mean_);
+  write(scatter_);
+  write(low_);
+  write(high_);
+  return numbers;
+}
+
+void ArcVariation::restore(const Eigen::VectorXd& collected) {
+  if (collected.size() != collectedSize()) {
+    throw std::invalid_argument(std::to_string(collected.size()) + " numbers of the variation of " +
+                                std::to_string(sectionCount()) + " sections; expected " +
+                                std::to_string(collectedSize()));
+  }
+  Index at = 0;
+  const auto read = [&](auto& matrix) {
+    Eigen::Map<Eigen::VectorXd>(matrix.data(), matrix.size()) = collected.segment(at, matrix.size());
+    at += matrix.size();
+  };
+  count_ = static_cast<std::uint64_t>(collected[at++]);
+  read(mean_);
+  read(scatter_);
+  read(low_);
+  read(high_);
+}
+
 std::vector<SectionVariation> ArcVariation::variation() const {
   std::vector<SectionVariation> result(sectionCount());
   if (count_ == 0) return result;

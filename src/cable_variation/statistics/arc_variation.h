@@ -45,10 +45,20 @@ class ArcVariation {
   /// @param later with the same sections and frames
   void merge(const ArcVariation& later);
 
+  /// All that was collected, as numbers for another process, whose restore() makes of them the same again bit
+  /// for bit.
+  Eigen::VectorXd collected() const;
+  /// @param collected by one of the same sections and frames; std::invalid_argument: another number of them
+  void restore(const Eigen::VectorXd& collected);
+  /// How many numbers collected() has.
+  Eigen::Index collectedSize() const { return 1 + kPerSection * mean_.cols(); }
+
   /// One per section; without two samples the covariance is zero.
   std::vector<SectionVariation> variation() const;
 
  private:
+  static constexpr Eigen::Index kPerSection = 15;  // numbers: mean, scatter, low, high
+
   std::uint64_t count_ = 0;
   Positions mean_;
   Eigen::Matrix<double, 6, Eigen::Dynamic> scatter_;  // sums of products about the mean: xx xy xz yy yz zz
