@@ -7,6 +7,7 @@
 #include <cable_variation/analysis/simulation_calculation.h>
 #include <cable_variation/report/cable_variation_section.h>
 #include <cable_variation/report/simulation_tables.h>
+#include <cable_variation/util/count_text.h>
 #include <cable_variation/util/number_text.h>
 #include <command/loaded_design.h>
 #include <command/scene_options.h>
@@ -27,7 +28,7 @@ using cable_variation::SimulationTask;
 namespace {
 
 std::string outcomesText(const SimulationStatistics& found) {
-  std::string text = std::to_string(found.samples) + " samples: ";
+  std::string text = cable_variation::countText(found.samples, "sample") + ": ";
   if (found.count(SampleOutcome::solved) == found.samples) return text + "all solved\n";
   text += std::to_string(found.count(SampleOutcome::solved)) + " solved";
   const auto tell = [&](SampleOutcome outcome, const char* what) {
