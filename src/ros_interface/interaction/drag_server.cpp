@@ -92,6 +92,7 @@ void DragServer::hear(const Feedback& feedback) {
   } else if (feedback->event_type == InteractiveMarkerFeedback::MOUSE_UP) {
     follow();
     dragged_.clear();
+    calm_ = 0;             // the cables' sheaths, which did not follow meanwhile, are laid anew
     shown_.erase(marker);  // where it was let go need not be where it is
     outdated_ = true;
   } else if (feedback->event_type == InteractiveMarkerFeedback::POSE_UPDATE) {
