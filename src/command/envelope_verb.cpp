@@ -28,7 +28,7 @@ std::string textOf(const Scene& scene, const EnvelopeTask& task, const EnvelopeC
       task.options, found.envelope, found.clearances, found.surfaces.whole.mesh, found.surfaces.whole.excess,
       found.volume};
   std::string text = tableText(envelopeTable(findings)) + wrapped(containmentText(found.envelope)) + "\n";
-  text += tableText(clearanceTable(scene, findings)) + "\n";
+  if (!findings.clearances.empty()) text += tableText(clearanceTable(scene, findings)) + "\n";
   const double effort = found.envelope.solve_time + found.clearance_time + found.surface_time;
   return text + numberText(effort, 3) + " s, checked in " + numberText(found.envelope.verify_time, 3) +
          " s\n";

@@ -7,6 +7,7 @@
 #include <cable_variation/identification/identification.h>
 #include <cable_variation/report/csv.h>
 #include <cable_variation/scene/design.h>
+#include <cable_variation/util/count_text.h>
 #include <cable_variation/util/display_unit.h>
 #include <command/scene_options.h>
 #include <command/text_table.h>
@@ -148,12 +149,12 @@ class IdentifyVerb : public Verb {
                   tableText(fitTable("Distances of the points", task.shapes, found.fits));
     if (!others.empty())
       answer.text += "\n" + tableText(fitTable("Distances of points that had no part in it", others, fits));
-    answer.text += "\n" + std::to_string(found.solves) + " equilibria\n";
+    answer.text += "\n" + cable_variation::countText(found.solves, "equilibrium", "equilibria") + "\n";
     answer.warnings = warningsOf(scene);
     if (!found.converged) {
-      answer.status = {
-          cable_variation::StatusCode::not_converged,
-          "the search was still getting closer after " + std::to_string(found.solves) + " equilibria"};
+      answer.status = {cable_variation::StatusCode::not_converged,
+                       "the search was still getting closer after " +
+                           cable_variation::countText(found.solves, "equilibrium", "equilibria")};
     }
     control.complete();
     if (!name_.empty()) {

@@ -15,7 +15,7 @@ LoadedDesign::LoadedDesign(cable_variation::Scene scene, const std::string& auth
       origin_{cable_variation::sha256(cable_variation::readSceneFile(design_.scene.source)), {}, author},
       harness_(harnessAt(design_, {})),
       solver_(newSolver(design_.scene)),
-      equilibrium_(solver_.solve(harness_)),
+      equilibrium_(shapeFromNothing(solver_, harness_)),
       components_(componentPosesAt(design_.scene, {})) {}
 
 const MeasureEvaluator& LoadedDesign::evaluator(const SolvedScene& any) {

@@ -178,7 +178,8 @@ class ReportVerb : public Verb {
         review.envelope ? review.envelope->clearances : std::vector<cable_variation::EnvelopeClearance>());
     answer.text = tableText(verdictTable(review.scene, verdicts)) + "\n" + toString(overall.verdict) +
                   (overall.text.empty() ? "" : ": " + overall.text) + "\n";
-    if (review.envelope) answer.text += "\n" + tableText(clearanceTable(review.scene, *review.envelope));
+    if (review.envelope && !review.envelope->clearances.empty())
+      answer.text += "\n" + tableText(clearanceTable(review.scene, *review.envelope));
     answer.warnings = review.warnings;
     const std::string page = reviewPage(review);
     control.complete();

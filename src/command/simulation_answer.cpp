@@ -5,6 +5,7 @@
 #include <cable_variation/analysis/scene_loading.h>
 #include <cable_variation/report/cable_variation_section.h>
 #include <cable_variation/report/simulation_tables.h>
+#include <cable_variation/util/count_text.h>
 #include <cable_variation/util/number_text.h>
 #include <command/simulation_json.h>
 #include <command/text_table.h>
@@ -21,7 +22,7 @@ using cable_variation::SimulationStatistics;
 namespace {
 
 std::string outcomesText(const SimulationStatistics& found) {
-  std::string text = std::to_string(found.samples) + " samples: ";
+  std::string text = cable_variation::countText(found.samples, "sample") + ": ";
   if (found.count(SampleOutcome::solved) == found.samples) return text + "all solved\n";
   text += std::to_string(found.count(SampleOutcome::solved)) + " solved";
   const auto tell = [&](SampleOutcome outcome, const char* what) {

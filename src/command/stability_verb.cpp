@@ -93,10 +93,10 @@ class StabilityVerb : public Verb {
       const Scene& scene = design.scene();
       const cable_variation::OutputDirectory output = files_.output();
       std::string& error = answer.status.message;
-      csv =
-          writeBeside(output, request_.report, ".csv", stabilityCsv(scene, analysis, options.values), error);
       page = writeBeside(output, request_.report, ".html",
                          stabilityPage(design.origin(), scene, analysis, options), error);
+      csv =
+          writeBeside(output, request_.report, ".csv", stabilityCsv(scene, analysis, options.values), error);
       if (!error.empty()) answer.status.code = cable_variation::StatusCode::io_error;
     }
     answer.json.set("csv_file", csv).set("report_file", page);

@@ -81,7 +81,9 @@ CableSolver::CableSolver(ros::NodeHandle node, const CableSolverParameters& para
   show();
   ROS_INFO("cable_solver is up with %s: %zu cables, %zu clips, %s", context_.design().scene.source.c_str(),
            context_.harness().cables.size(), context_.harness().clips.size(),
-           context_.equilibrium().converged() ? "in equilibrium" : "without an equilibrium");
+           context_.harness().cables.empty()    ? "nothing to solve yet"
+           : context_.equilibrium().converged() ? "in equilibrium"
+                                                : "without an equilibrium");
   if (parameters.live) {
     const TfFollowerOptions options{parameters.live_rate_hz, parameters.tf_timeout};
     follower_ = std::make_unique<TfFollower>(
@@ -122,7 +124,7 @@ void CableSolver::showAgain() {
 void CableSolver::show() {
   shown_ = ros::WallTime::now();
   const cable_variation::Equilibrium& equilibrium = context_.equilibrium();
-  if (!equilibrium.converged()) {
+  if (!equilibrium.converged() && !context_.harness().cables.empty()) {
     ROS_ERROR_THROTTLE(5.0, "%s: %s", toString(equilibrium.status), equilibrium.message.c_str());
   }
   design_state_.contextChanged(context_);

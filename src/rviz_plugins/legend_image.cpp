@@ -29,7 +29,7 @@ QString unitText(const cable_variation::Legend& legend) {
 
 QString originText(const cable_variation::Legend& legend) {
   if (legend.samples == 0) return "computed, first order";
-  return QLocale(QLocale::English).toString(legend.samples) + " samples";
+  return QLocale(QLocale::English).toString(legend.samples) + (legend.samples == 1 ? " sample" : " samples");
 }
 
 /// A piece of text with its place below those added before.

@@ -16,6 +16,7 @@
 #include <cable_variation/geometry/mesh/mesh_reader.h>
 #include <cable_variation/util/child_process.h>
 #include <cable_variation/util/helper_program.h>
+#include <cable_variation/util/import_program.h>
 
 namespace cable_variation {
 namespace {
@@ -142,9 +143,9 @@ TEST_F(ColladaImporter, IsAProgramThatMayEndInAnyWay) {
     return runChild(program, arguments, document, 20.0, 100000);
   };
   const ChildRun whole = run({"2000000000", "20", "1000", "1000"});
-  EXPECT_EQ(whole.code, static_cast<int>(ImportEnd::mesh));
+  EXPECT_EQ(whole.code, static_cast<int>(ImportEnd::done));
   EXPECT_EQ(importedMesh(whole.output).triangles.size(), 3U);
-  EXPECT_NE(run({}).code, static_cast<int>(ImportEnd::mesh));
+  EXPECT_NE(run({}).code, static_cast<int>(ImportEnd::done));
   const ChildRun refused = run({"2000000000", "20", "1000", "2"});
   EXPECT_EQ(refused.code, static_cast<int>(ImportEnd::refused));
   EXPECT_NE(refused.output, "");

@@ -236,6 +236,18 @@ class AnalyzeStabilityTest(NodeTest):
             with open(answer.csv_file) as file:
                 self.assertEqual(len(file.readlines()), 1 + 16)
             xml.dom.minidom.parse(answer.report_file)
+            with open(answer.report_file, 'rb') as page, open(answer.csv_file, 'rb') as table:
+                older = page.read(), table.read()
+            # another kind of report of the same name: the older one is kept with its table
+            solved = self.service('/writer/solve_equilibrium', SolveEquilibrium)(report='run_1')
+            self.assertSuccess(solved.status)
+            self.assertEqual(solved.report_file, answer.report_file)
+            kept = [answer.report_file.replace('run_1.html', 'run_1_stability_analysis' + end) for end in ('.html', '.csv')]
+            self.assertEqual(sorted(os.listdir(os.path.join(folder, 'new', 'out'))),
+                             ['run_1.html', 'run_1_stability_analysis.csv', 'run_1_stability_analysis.html'])
+            for path, contents in zip(kept, older):
+                with open(path, 'rb') as file:
+                    self.assertEqual(file.read(), contents)
 
     def test_a_folder_that_cannot_be_written_is_named(self):
         with tempfile.NamedTemporaryFile() as file:

@@ -4,8 +4,8 @@ import time
 
 import rospy
 import rostest
-from cable_variation.msg import CableShapes, DesignState
-from cable_variation.srv import GetScene
+from cable_variation.msg import CableShapes, DesignState, LiveMeasures
+from cable_variation.srv import GetScene, SetDesign
 from node_client import NodeTest, xyz
 from std_srvs.srv import Trigger
 from visualization_msgs.msg import InteractiveMarkerFeedback, InteractiveMarkerInit, MarkerArray
@@ -75,6 +75,26 @@ class DragTest(NodeTest):
         self.assertTrue(self.latched('/cable_solver/design', DesignState).edited)
         self.choose(marker, 'Put back')
         self.eventually(lambda: abs(self.start_of_cable()[2] - before[2]) < 1e-6, 'the cable is back')
+
+    def similarity(self):
+        return next(each for each in self.latched('/cable_solver/measures', LiveMeasures).measures if each.name == 'D_SIM')
+
+    def test_similarity_tells_how_far_the_cables_are_from_the_scene(self):
+        self.eventually(lambda: self.similarity().value < 1e-6, 'the scene is similar to itself')
+        marker = self.marker('clip/WH_Start')
+        for height, within in ((0.004, True), (0.012, False)):  # no more than 10 mm
+            marker.pose.position.z = self.clip('WH_Start').world_pose.position.z + height
+            self.drag(marker)
+            # the dragged end is as far off as it was dragged, whatever the rest does
+            self.eventually(lambda expected=height: self.similarity().value > expected - 1e-6, 'D_SIM has grown')
+            self.assertLess(self.similarity().value, 3 * height)
+            self.assertEqual(self.similarity().within, within)
+            self.assertTrue(self.reset().success)
+            self.eventually(lambda: self.similarity().value < 1e-6, 'as the scene')
+        # set as nominal values, by whoever, likewise
+        self.assertSuccess(self.service('/cable_solver/set_design', SetDesign)(
+            variables=['wh_start_rz'], values=[0.05]).status)
+        self.eventually(lambda: self.similarity().value > 1e-4, 'D_SIM of a turned clip')
 
     def test_set_as_design_is_what_it_is_put_back_to(self):
         marker = self.marker('clip/WH_Start')

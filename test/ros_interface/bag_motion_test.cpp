@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <iterator>
+#include <random>
 
 #include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/PoseWithCovarianceStamped.h>
@@ -220,6 +222,80 @@ TEST_F(BagMotion, ARecordingThatWasCutOffSaysHowToRepairIt) {
   bag.close();
   std::filesystem::rename(cut, path_);
   expectRefused("has no index, as when a recording ends early; rosbag reindex makes one");
+}
+
+TEST_F(BagMotion, BrokenAtRandomItIsReadOrRefusedAndThisProcessLivesOn) {
+  write([](rosbag::Bag& bag) {
+    for (int k = 0; k < 20; ++k)
+      bag.write("/tf", ros::Time(5.0 + k), tf({transform(5.0 + k, "world", "sled", 0.001 * k)}));
+  });
+  std::ifstream file(path_, std::ios::binary);
+  const std::string whole{std::istreambuf_iterator<char>(file), {}};
+  std::mt19937 random(5);
+  int refused = 0;
+  for (int round = 0; round < 60; ++round) {
+    std::string broken = whole;
+    for (unsigned i = random() % 8; i < 8; ++i) {
+      const std::size_t at = random() % broken.size();
+      if (random() % 2 == 0) {
+        broken[at] = static_cast<char>(random());
+      } else {  // a count or a length of 4 GB
+        broken.replace(at, 4, "\xff\xff\xff\xff");
+      }
+    }
+    std::ofstream(path_, std::ios::binary) << broken;
+    try {
+      for (const TimedPose& sample : read()) ASSERT_TRUE(sample.pose.position.allFinite());
+    } catch (const std::invalid_argument& error) {
+      ASSERT_NE(std::string(error.what()).find(path_), std::string::npos) << error.what();
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 10);
+}
+
+TEST_F(BagMotion, MorePosesThanTheLimitAreRefused) {
+  write([](rosbag::Bag& bag) {
+    for (int k = 0; k < 20; ++k)
+      bag.write("/tf", ros::Time(5.0 + k), tf({transform(5.0 + k, "world", "sled", 0.001 * k)}));
+  });
+  cable_variation::InputLimits limits;
+  limits.poses = 20;
+  EXPECT_NO_THROW(readBagMotion(path_, "/tf", "sled", "world", motion_, limits));
+  limits.poses = 19;
+  try {
+    readBagMotion(path_, "/tf", "sled", "world", motion_, limits);
+    ADD_FAILURE() << "20 poses were taken";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("at most 19 (the limit poses)"), std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(PosesHandedOver, AreReadBackAndNothingElseIs) {
+  cable_variation::Motion motion, again;
+  for (int k = 0; k < 3; ++k) {
+    TimedPose sample;
+    sample.time = 0.1 * k;
+    sample.pose.position = {1.0, 0.3 * k, -2.0};
+    motion.samples.push_back(sample);
+  }
+  motion.replaced_poses = 7;
+  setPoses(bytesOf(motion), again);
+  EXPECT_EQ(bytesOf(again), bytesOf(motion));
+  EXPECT_EQ(again.replaced_poses, 7U);
+  const std::string bytes = bytesOf(motion);
+  EXPECT_THROW(setPoses("", again), std::invalid_argument);
+  EXPECT_THROW(setPoses(bytes.substr(0, 8), again), std::invalid_argument);
+  EXPECT_THROW(setPoses(bytes.substr(0, bytes.size() - 1), again), std::invalid_argument);
+  std::string back = bytes;
+  back.replace(8 + 64, 64, bytes, 8, 64);  // the first pose twice
+  EXPECT_THROW(setPoses(back, again), std::invalid_argument);
+  for (std::size_t at = 8; at < bytes.size(); at += 8) {
+    std::string wrong = bytes;
+    wrong.replace(at, 8, 8, '\xff');  // not a number
+    EXPECT_THROW(setPoses(wrong, again), std::invalid_argument) << at;
+  }
 }
 
 TEST(EngineRun, IsTheSameAsABagAndAsATrajectory) {

@@ -67,5 +67,20 @@ TEST_F(PackageFinderTest, ADamagedPackageFileIsPassedOver) {
   EXPECT_EQ(findPackageNear("parts", "/"), "");
 }
 
+TEST_F(PackageFinderTest, ThroughLinks) {
+  const fs::path parts = make("elsewhere/parts", "parts");
+  fs::create_directories(parts / "config");
+  fs::create_directories(root_ / "space");
+  fs::create_directory_symlink(parts / "config", root_ / "scenes");  // to within the package
+  EXPECT_EQ(findPackageNear("parts", root_ / "scenes/harness.yaml"), parts);
+  fs::create_directory_symlink(root_ / "elsewhere", root_ / "space/linked");  // on the package path
+  EXPECT_EQ(findPackageNear("parts", "/"), root_ / "space/linked/parts");
+  setenv("ROS_PACKAGE_PATH", (root_ / "workspace").c_str(), 1);  // the path itself
+  fs::create_directory_symlink(root_ / "elsewhere", root_ / "workspace");
+  EXPECT_EQ(findPackageNear("parts", "/"), root_ / "workspace/parts");
+  fs::create_directory_symlink(root_ / "space", root_ / "elsewhere/round");  // in circles
+  EXPECT_EQ(findPackageNear("bikes", "/"), "");
+}
+
 }  // namespace
 }  // namespace cable_variation

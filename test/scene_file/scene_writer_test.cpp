@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 
 #include <cable_variation/equilibrium/equilibrium.h>
+#include <cable_variation/rod/section.h>
+#include <cable_variation/scene/added_cable.h>
 #include <cable_variation/scene/design.h>
 #include <cable_variation/scene_file/scene_reader.h>
 
@@ -151,6 +153,52 @@ TEST(SceneWriter, AClipThatWasAddedStandsBehindTheOthers) {
           "0, 0]}}\n  - {name: C, type: eyelet, cable: wire, at: 100 mm, component: a, pose: {position: [100 "
           "mm, 0, -50 mm]}}\ndesign"));
   EXPECT_EQ(saved(kScene, design).harness.clips[2].name, "C");
+}
+
+/// With a cable and the two clips that hold it.
+Design withCable(const std::string& text, const std::string& component) {
+  Design design = designOf(text);
+  Cable cable;
+  cable.name = "added";
+  cable.length = 0.2;
+  cable.sections = {{0.0, solidSection(4e-3, {1e8, 0.25, 2000.0})}};
+  addCable(design, cable);
+  for (const double at : {0.0, cable.length}) {
+    Clip clip;
+    clip.name = at == 0.0 ? "one" : "other";
+    clip.type = "fixed";
+    clip.cable = design.scene.harness.cables.size() - 1;
+    clip.arc_length = at;
+    Pose pose;
+    pose.position = {0.9 * at, 0.01, 0.0};
+    addClip(design, clip, {component, pose});
+  }
+  return design;
+}
+
+TEST(SceneWriter, ACableThatWasAddedStandsBehindTheOthersOrInAListOfItsOwn) {
+  for (const std::string& text :
+       {kScene, std::string("components:\n  - {name: a}   # alone\n"),
+        std::string("components:\n  - {name: a}"),
+        std::string("components: [{name: a}]\ncables: []\nclips: []   # none yet\n"),
+        std::string("{components: [{name: a}]}\n")}) {
+    const Design design = withCable(text, "a");
+    const Scene scene = saved(text, design);
+    EXPECT_EQ(scene.harness.cables.back().name, "added");
+    EXPECT_EQ(scene.clip_mounts.back().component, "a");
+    EquilibriumSolver solver;
+    const Equilibrium wanted = solver.solve(sceneOf(design).harness), found = solver.solve(scene.harness);
+    ASSERT_TRUE(wanted.converged() && found.converged()) << text;
+    EXPECT_LT((wanted.shapes.back().position(0.1) - found.shapes.back().position(0.1)).norm(), 1e-6);
+    EXPECT_EQ(savedText(text, design).find(text.substr(0, 20)), 0U) << "all else is as it was";
+  }
+  EXPECT_NE(savedText(kScene, withCable(kScene, "world")).find("# holds"), std::string::npos);
+}
+
+TEST(SceneWriter, ACableThatIsThereOrIsNoneIsNotAdded) {
+  Design design = designOf(kScene);
+  EXPECT_THROW(addCable(design, design.scene.harness.cables.front()), std::invalid_argument);
+  EXPECT_THROW(addCable(design, Cable()), std::invalid_argument);
 }
 
 TEST(SceneWriter, AClipThatWasOpenedOrClosedSaysSo) {

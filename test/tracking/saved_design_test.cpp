@@ -11,6 +11,8 @@
 #include <gtest/gtest.h>
 
 #include <cable_variation/equilibrium/equilibrium.h>
+#include <cable_variation/rod/section.h>
+#include <cable_variation/scene/added_cable.h>
 #include <cable_variation/scene/design.h>
 #include <cable_variation/scene_file/scene_reader.h>
 
@@ -178,6 +180,37 @@ TEST(SavedDesign, WithClipsThatSlideHasTheShapeThatItHad) {
 }
 
 // Shapes from elsewhere lead somewhere: never to an answer that is none.
+TEST(SavedDesign, OfPartsAloneHasTheCableThatWasAdded) {
+  const Scene loaded = readSceneText("components: [{name: a}]", "parts.yaml", findTestPackage);
+  Design design{loaded, {}, {}};
+  Pose place;
+  place.position.x() = 0.1;
+  setComponentPose(design, "a", place);
+  SavedDesign again = readSavedDesign(savedDesignText(design, loaded, {}), loaded);
+  EXPECT_EQ(again.design.shifts.at("a").position, place.position);
+  EXPECT_TRUE(again.design.scene.harness.cables.empty());
+
+  Cable cable;
+  cable.name = "a cable, 100 % new";
+  cable.length = 0.2;
+  cable.sections = {{0.0, solidSection(4e-3, {1e8, 0.25, 2000.0})}};
+  addCable(design, cable);
+  Clip clip;
+  clip.name = "start";
+  clip.type = "fixed";
+  addClip(design, clip, {"a", Pose()});
+  EquilibriumSolver solver;
+  const Equilibrium shape = solver.solve(harnessAt(design, {}, placesOf(design, {})));
+  ASSERT_TRUE(shape.converged());
+  again = readSavedDesign(savedDesignText(design, loaded, shape), loaded);
+  expectSame(again.design.scene.harness, design.scene.harness);
+  EXPECT_EQ(again.design.scene.harness.cables.front().name, cable.name);
+  const Equilibrium found =
+      solveSaved(solver, harnessAt(again.design, {}, placesOf(again.design, {})), again.shape);
+  ASSERT_TRUE(found.converged());
+  EXPECT_LT((found.shapes.front().position(0.2) - shape.shapes.front().position(0.2)).norm(), 1e-6);
+}
+
 TEST(SavedDesign, AShapeThatLeadsNowhereIsSolvedFromNothing) {
   const Scene loaded = sceneFrom("cable_variation", "/test/ros/data/snapping.yaml");
   const Design design{loaded, {}, {}};

@@ -1,5 +1,7 @@
 #include <cable_variation/analysis/answer_files.h>
 
+#include <cable_variation/analysis/other_reports.h>
+#include <cable_variation/report/page.h>
 #include <cable_variation/util/error.h>
 #include <cable_variation/util/output_file.h>
 
@@ -10,6 +12,7 @@ std::string writeBeside(const OutputDirectory& output, const std::string& name, 
   const std::string path = output.pathOf(name, extension);
   try {
     output.make();
+    if (extension == ".html") keepOtherReport(output, name, reportKind(contents));
     writeFile(path, contents);
     return path;
   } catch (const FileError& problem) {

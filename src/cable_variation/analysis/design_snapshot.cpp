@@ -27,4 +27,11 @@ EquilibriumSolver solverAt(const DesignSnapshot& snapshot, const VariedDesign& d
   return solver;
 }
 
+Equilibrium shapeFromNothing(EquilibriumSolver& solver, const Harness& harness) {
+  if (!harness.cables.empty()) return solver.solve(harness);
+  Equilibrium none;
+  none.message = "the scene has no cable";
+  return none;
+}
+
 }  // namespace cable_variation

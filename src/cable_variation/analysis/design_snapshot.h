@@ -31,6 +31,10 @@ struct DesignSnapshot {
 /// To the accuracy that a scene asks for; it has no shape to follow.
 EquilibriumSolver newSolver(const Scene& scene);
 
+/// The shape of a harness, solved from nothing. One without a cable, as of a scene of components alone, has
+/// none, and its message says why; otherwise as EquilibriumSolver::solve().
+Equilibrium shapeFromNothing(EquilibriumSolver& solver, const Harness& harness);
+
 /// The snapshot for an analysis of `design`: over motions its edits of components' places are in its scene.
 DesignSnapshot snapshotFor(const VariedDesign& design, DesignSnapshot snapshot);
 

@@ -2,8 +2,10 @@
 
 #include <filesystem>
 
+#include <cable_variation/analysis/other_reports.h>
 #include <cable_variation/envelope/forbidden_region.h>
 #include <cable_variation/report/envelope_urdf.h>
+#include <cable_variation/report/page.h>
 #include <cable_variation/report/stl.h>
 #include <cable_variation/scene/resource_address.h>
 #include <cable_variation/util/error.h>
@@ -55,6 +57,16 @@ void write(EnvelopeFiles& files, const OutputDirectory& output) {
   writeAll(files.mesh_contents, files.mesh);
   writeAll(files.region_contents, files.region);
   writeAll(files.urdf_contents, files.urdf);
+  try {
+    for (const auto& [path, contents] : files.report_contents) {
+      const std::string name = std::filesystem::path(path).stem();
+      keepOtherReport(output, name, reportKind(contents));
+    }
+  } catch (const FileError& problem) {
+    files.report_contents.clear();
+    files.report.clear();
+    files.error += (files.error.empty() ? "" : "; ") + std::string(problem.what());
+  }
   writeAll(files.report_contents, files.report);
 }
 

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include <cable_variation/util/count_text.h>
 #include <cable_variation/util/seconds_since.h>
 
 namespace cable_variation {
@@ -13,7 +14,7 @@ AnswerStatus statusOf(const Simulation& simulation, const std::string& file_erro
   if (!file_error.empty()) status = {StatusCode::io_error, file_error};
   if (simulation.ended_early) {
     std::string message = "cancelled after " + std::to_string(simulation.statistics.samples) + " of " +
-                          std::to_string(simulation.statistics.wanted) + " samples";
+                          countText(simulation.statistics.wanted, "sample");
     if (!file_error.empty()) message += "; " + file_error;
     status = {StatusCode::cancelled, message};
   }

@@ -6,6 +6,7 @@
 #include <cable_variation/scene/moving_components.h>
 #include <cable_variation/util/error.h>
 #include <cable_variation/util/output_file.h>
+#include <cable_variation/analysis/other_reports.h>
 #include <cable_variation/analysis/review_start.h>
 
 namespace cable_variation {
@@ -14,6 +15,7 @@ namespace {
 
 // Bytes of a sample: its number and outcome, a number in NAME.csv and in a block; of a place on a cable.
 constexpr double kCsvSample = 16.0, kCsvNumber = 20.0, kBlockNumber = 8.0, kBlockPlace = 1.0;
+constexpr const char* kTitle = "Variation simulation";
 
 /// What was asked for, at the head of the report.
 std::vector<ReportFact> about(const Scene& scene, const SimulationOptions& options,
@@ -93,10 +95,11 @@ std::string SimulationFiles::written(const std::string& suffix, const std::strin
 SimulationPaths SimulationFiles::finish(const Simulation& simulation) {
   SimulationPaths paths;
   if (!samples_) return paths;
+  const bool kept = attempt([&] { keepOtherReport(output_, task_.name, kTitle); });
   paths.samples = samples_->partialPath();
   if (simulation.ended_early) {
     if (!samples_broken_) attempt([&] { samples_->stop(); });
-  } else if (!samples_broken_ && attempt([&] { samples_->finish(); })) {
+  } else if (kept && !samples_broken_ && attempt([&] { samples_->finish(); })) {
     paths.samples = samples_path_;
   }
   samples_.reset();
@@ -106,14 +109,14 @@ SimulationPaths SimulationFiles::finish(const Simulation& simulation) {
   const SimulationOptions& options = task_.options;
   const ComponentPoses poses = posesShown(scene_, options, simulation);
   const SolvedScene solved{simulation.harness, simulation.linear.nominal, poses};
-  Review review = startReview("Variation simulation", origin_, scene_, options.values, solved);
+  Review review = startReview(kTitle, origin_, scene_, options.values, solved);
   review.about = about(scene_, options, simulation);
   review.warnings.insert(review.warnings.end(), simulation.warnings.begin(), simulation.warnings.end());
   review.measures = simulation.linear.measures;
   review.measured = simulation.linear.values;
   review.variables = simulation.statistics.variables;
   review.simulation = &simulation;
-  paths.report = written(".html", reviewPage(review));
+  if (kept) paths.report = written(".html", reviewPage(review));
   return paths;
 }
 

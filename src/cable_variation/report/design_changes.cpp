@@ -38,7 +38,9 @@ void addMotion(const std::string& what, const Pose& motion, std::vector<std::str
 std::vector<std::string> designChanges(const Scene& loaded, const Scene& edited,
                                        const ComponentPoses& shifts) {
   std::vector<std::string> changes;
-  for (std::size_t i = 0; i < edited.harness.cables.size(); ++i) {
+  for (std::size_t i = loaded.harness.cables.size(); i < edited.harness.cables.size(); ++i)
+    changes.push_back("cable " + edited.harness.cables[i].name + " added");
+  for (std::size_t i = 0; i < loaded.harness.cables.size(); ++i) {
     const double before = loaded.harness.cables[i].length, after = edited.harness.cables[i].length;
     if (before == after) continue;
     changes.push_back("length of cable " + edited.harness.cables[i].name + " " + changed(before, after, "m"));

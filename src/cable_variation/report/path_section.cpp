@@ -9,6 +9,7 @@
 #include <cable_variation/report/markup.h>
 #include <cable_variation/report/profile_chart.h>
 #include <cable_variation/report/verdict_table.h>
+#include <cable_variation/util/count_text.h>
 #include <cable_variation/util/display_unit.h>
 
 namespace cable_variation {
@@ -157,7 +158,7 @@ std::vector<std::string> pathFaults(const PathCheck& check) {
                                   [](const PathSample& sample) { return !sample.solved; });
   std::vector<std::string> faults;
   if (snaps > 0) faults.push_back(std::to_string(snaps) + (snaps == 1 ? " snap" : " snaps"));
-  if (lost > 0) faults.push_back("no equilibrium at " + std::to_string(lost) + " places");
+  if (lost > 0) faults.push_back("no equilibrium at " + countText(lost, "place"));
   if (refused > 0) faults.emplace_back("a clip that could not close or open");
   return faults;
 }

@@ -59,7 +59,7 @@ std::string reviewPage(const Review& review) {
   if (review.path) sections.push_back(pathSection(review.scene, *review.path));
   const std::string name = std::filesystem::path(review.scene.source).filename().string();
   return reportPage(name.empty() ? review.title : name + ": " + review.title, factsOf(review),
-                    review.warnings, sections);
+                    review.warnings, sections, review.title);
 }
 
 }  // namespace cable_variation

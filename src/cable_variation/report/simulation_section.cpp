@@ -9,6 +9,7 @@
 #include <cable_variation/report/histogram_chart.h>
 #include <cable_variation/report/markup.h>
 #include <cable_variation/report/simulation_tables.h>
+#include <cable_variation/util/count_text.h>
 #include <cable_variation/util/display_unit.h>
 
 namespace cable_variation {
@@ -19,13 +20,13 @@ constexpr std::size_t kMostBars = 8, kMostListed = 20;
 
 void addOutcome(const Scene& scene, const SimulationStatistics& statistics, const DesignValues& values,
                 ReportSection& section) {
-  section.paragraph(std::to_string(statistics.samples) + " samples of " +
-                    std::to_string(statistics.variables.size()) + " design variables, sampler " +
+  section.paragraph(countText(statistics.samples, "sample") + " of " +
+                    countText(statistics.variables.size(), "design variable") + ", sampler " +
                     toString(statistics.sampler) + ", seed " + std::to_string(statistics.seed) +
                     ": the same seed gives the same figures.");
   if (statistics.samples < statistics.wanted) {
     section.warning("Ended after " + std::to_string(statistics.samples) + " of " +
-                    std::to_string(statistics.wanted) + " samples.");
+                    countText(statistics.wanted, "sample") + ".");
   }
   const std::uint64_t solved = statistics.count(SampleOutcome::solved);
   if (solved == statistics.samples) return;
@@ -37,7 +38,7 @@ void addOutcome(const Scene& scene, const SimulationStatistics& statistics, cons
   tell(SampleOutcome::snapped, "snapped over to another equilibrium (their values count)");
   tell(SampleOutcome::not_converged, "came to none");
   tell(SampleOutcome::impossible, "cannot be (a length below zero, clips out of reach)");
-  section.warning("Of " + std::to_string(statistics.samples) + " samples " + counts + ".");
+  section.warning("Of " + countText(statistics.samples, "sample") + " " + counts + ".");
   section.table(listedTable(scene, statistics, values, kMostListed));
   const std::uint64_t others = statistics.samples - solved;
   if (others > kMostListed) {
@@ -147,8 +148,8 @@ void addContributions(const Scene& scene, const SimulationStatistics& statistics
                              linearShare(statistics, *linear)));
   }
   if (found.left_out > 0) {
-    section.paragraph(std::to_string(found.left_out) +
-                      " samples are left out here: some measure has no finite value.");
+    section.paragraph(countText(found.left_out, "sample is", "samples are") +
+                      " left out here: some measure has no finite value.");
   }
 }
 

@@ -64,10 +64,8 @@ std::vector<fs::path> packagePath() {
   return folders;
 }
 
-/// Where `near` is, and all folders around it.
-fs::path around(const fs::path& near, const std::string& package) {
-  std::error_code error;
-  fs::path folder = fs::absolute(near, error).lexically_normal();
+/// A folder, and all around it.
+fs::path around(fs::path folder, const std::string& package) {
   for (;;) {
     if (packageIn(folder) == package) return folder;
     if (!folder.has_relative_path()) return {};
@@ -85,9 +83,13 @@ std::string findPackageNear(const std::string& package, const std::string& near)
     const fs::path found = below(folder, package, kDeepest);
     if (!found.empty()) return found;
   }
-  const fs::path found = around(near, package);
-  if (!found.empty()) return found;
   std::error_code error;
+  const fs::path there = fs::absolute(near, error);
+  // as it is named, and where its links lead: a scene may be reached through a link from outside its package
+  for (const fs::path& folder : {there.lexically_normal(), fs::weakly_canonical(there, error)}) {
+    const fs::path found = around(folder, package);
+    if (!found.empty()) return found;
+  }
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   const fs::path share = program.parent_path().parent_path().parent_path() / "share" / package;
   return !error && packageIn(share) == package ? share.string() : "";

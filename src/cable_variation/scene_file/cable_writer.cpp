@@ -142,4 +142,13 @@ void writeCable(const YAML::Node& entry, const Cable& loaded, const Cable& wante
     text.replace(*range, curvatureText(wanted.rest_curvature));
 }
 
+std::string cableText(const Cable& cable) {
+  if (cable.sections.size() != 1 || !cable.rest_curvature.empty() || !cable.via.empty() || cable.twist) {
+    throw std::invalid_argument("cable '" + cable.name +
+                                "' cannot be written; expected one section, and no rest shape or hints");
+  }
+  return "{name: " + cable.name + ", length: " + lengthText(cable.length) + ", " +
+         stiffnessText(cable.sections.front().section) + "}";
+}
+
 }  // namespace cable_variation

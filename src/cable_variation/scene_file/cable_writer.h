@@ -1,5 +1,7 @@
 #pragma once  // internal to scene_file/
 
+#include <string>
+
 #include <yaml-cpp/yaml.h>
 
 #include <cable_variation/rod/cable.h>
@@ -12,5 +14,9 @@ namespace cable_variation {
 /// becomes a `stiffness`; a list of which a shorter cable cuts off the end likewise. Rest shapes become
 /// curvatures.
 void writeCable(const YAML::Node& entry, const Cable& loaded, const Cable& wanted, YamlText& text);
+
+/// A cable as an entry of its own, of one section given by its stiffness and straight when free of stress.
+/// Throws std::invalid_argument for another one.
+std::string cableText(const Cable& cable);
 
 }  // namespace cable_variation

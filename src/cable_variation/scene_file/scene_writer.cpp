@@ -88,8 +88,19 @@ void writeClips(const YAML::Node& root, const Scene& loaded, const Scene& wanted
     writePose(entry, loaded.clip_mounts[i].pose, wanted.clip_mounts[i].pose, text);
     writeAttached(entry, loaded.harness.clips[i].attached, clip.attached, text);
   }
+  std::vector<std::string> added;
   for (std::size_t i = known; i < wanted.harness.clips.size(); ++i)
-    text.addItem(root, "clips", textOf(wanted.harness.clips[i], wanted.clip_mounts[i], wanted.harness));
+    added.push_back(textOf(wanted.harness.clips[i], wanted.clip_mounts[i], wanted.harness));
+  text.addItems(root, "clips", added);
+}
+
+void writeCables(const YAML::Node& root, const Harness& loaded, const Harness& wanted, YamlText& text) {
+  const std::size_t known = loaded.cables.size();
+  for (std::size_t i = 0; i < known; ++i)
+    writeCable(root["cables"][i], loaded.cables[i], wanted.cables[i], text);
+  std::vector<std::string> added;
+  for (std::size_t i = known; i < wanted.cables.size(); ++i) added.push_back(cableText(wanted.cables[i]));
+  text.addItems(root, "cables", added);
 }
 
 void writeJoints(const YAML::Node& list, const Harness& loaded, const Harness& wanted, YamlText& text) {
@@ -172,9 +183,7 @@ std::string editedSceneText(const std::string& text, const Scene& loaded, const 
   for (std::size_t i = 0; i < wanted.components.size(); ++i) {
     writePose(root["components"][i], loaded.components[i].pose, wanted.components[i].pose, edited);
   }
-  for (std::size_t i = 0; i < wanted.harness.cables.size(); ++i) {
-    writeCable(root["cables"][i], loaded.harness.cables[i], wanted.harness.cables[i], edited);
-  }
+  writeCables(root, loaded.harness, wanted.harness, edited);
   writeClips(root, loaded, wanted, edited);
   writeJoints(root["joints"], loaded.harness, wanted.harness, edited);
   if (root["loads"]) writeLoads(root["loads"], loaded.harness, wanted.harness, edited);

@@ -8,8 +8,8 @@
 namespace cable_variation {
 
 /// A scene file's text with another scene's poses, arc lengths, lengths, sections and rest shapes, and with
-/// the clips that it has beyond `loaded`, in the place and the units of the old ones; all else, comments and
-/// order too, is as it was.
+/// the cables and clips that it has beyond `loaded`, in the place and the units of the old ones; all else,
+/// comments and order too, is as it was.
 /// @param text that `loaded` was read from
 /// @param wanted made from it by edits, see sceneOf(const Design&)
 /// Whether the text reads as `wanted`, requireSame() of what is read from it tells: an alias may stand for

@@ -148,8 +148,36 @@ void YamlText::addEntry(const YAML::Node& map, const std::string& behind, const 
   }
 }
 
-void YamlText::addItem(const YAML::Node& map, const std::string& list, const std::string& item) {
-  const YAML::Node items = map[list];
+void YamlText::addItems(const YAML::Node& map, const std::string& list,
+                        const std::vector<std::string>& items) {
+  if (items.empty()) return;
+  const YAML::Node there = map[list];
+  if (!there || there.size() == 0) {
+    addList(map, list, items);
+    return;
+  }
+  for (const std::string& item : items) addItem(there, item);
+}
+
+void YamlText::addList(const YAML::Node& map, const std::string& list,
+                       const std::vector<std::string>& items) {
+  std::string flow, block;
+  for (const std::string& item : items) {
+    flow += (flow.empty() ? "" : ", ") + item;
+    block += "\n  - " + item;
+  }
+  if (const auto empty = valueOf(map, list)) {  // the key with [] behind it
+    replace(*empty, "[" + flow + "]");
+  } else if (isFlow(text_, map)) {
+    const std::size_t end = text_.rfind('}');
+    replace({end, end}, ", " + list + ": [" + flow + "]");
+  } else {
+    const bool own_line = !text_.empty() && text_.back() == '\n';
+    replace({text_.size(), text_.size()}, (own_line ? "" : "\n") + list + ":" + block + "\n");
+  }
+}
+
+void YamlText::addItem(const YAML::Node& items, const std::string& item) {
   const YAML::Node last = items[items.size() - 1];
   const std::size_t end = endOfItem(last);
   if (isFlow(text_, items)) {

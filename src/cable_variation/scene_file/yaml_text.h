@@ -31,8 +31,9 @@ class YamlText {
   /// Adds a key with its value behind the entry of another one, which must be there.
   void addEntry(const YAML::Node& map, const std::string& behind, const std::string& key,
                 const std::string& value);
-  /// Adds an item, a text on one line, behind the last one of the list that a map has; there must be one.
-  void addItem(const YAML::Node& map, const std::string& list, const std::string& item);
+  /// Adds items, a text on one line each, behind the last one of the list that a map has. If it has none,
+  /// one is written behind all else, the map being the document's.
+  void addItems(const YAML::Node& map, const std::string& list, const std::vector<std::string>& items);
 
   /// The text with all edits.
   std::string edited() const;
@@ -42,6 +43,8 @@ class YamlText {
     Range range;
     std::string by;
   };
+  void addItem(const YAML::Node& items, const std::string& item);
+  void addList(const YAML::Node& map, const std::string& list, const std::vector<std::string>& items);
   std::size_t endOf(const YAML::Node& node, std::size_t begin, bool in_flow) const;
   std::size_t endOfItem(const YAML::Node& item) const;
   std::size_t endOfLine(std::size_t at) const;

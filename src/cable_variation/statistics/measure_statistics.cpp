@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include <cable_variation/math/normal.h>
+#include <cable_variation/util/count_text.h>
 #include <cable_variation/util/quantity.h>
 
 namespace cable_variation {
@@ -215,8 +216,8 @@ std::string MeasureAccumulator::reasonAgainstControl(const std::optional<LinearM
   if (!predicted_) return "there is no linear prediction of some samples";
   if (!(std::isfinite(linear->mean) && linear->sigma > 0.0)) return "the linear model does not vary";
   if (missing_ + infinite_ > 0) {
-    return std::to_string(missing_ + infinite_) +
-           " samples have no value: of the others the linear model's mean is not known";
+    return countText(missing_ + infinite_, "sample has", "samples have") +
+           " no value: of the others the linear model's mean is not known";
   }
   if (std::min(even_.count(), odd_.count()) < kFewest / 2) return "the samples are too few for it";
   return "";

@@ -118,7 +118,8 @@ class Reader {
   TextTokens tokens_;
 };
 
-void writeCable(const Cable& cable, std::size_t index, Writer& writer) {
+void writeCable(const Cable& cable, std::size_t index, bool added, Writer& writer) {
+  if (added) writer.line("new_cable").word(cable.name);
   writer.line("cable").index(index)(cable.length);
   for (const SectionAt& knot : cable.sections) {
     writer.line("section").index(index)(knot.arc_length);
@@ -175,7 +176,7 @@ class DesignReader {
       reader_.requireLineEnd();
     }
     for (std::size_t i = 0; i < harness().clips.size(); ++i) mount(i);
-    validate(harness());
+    if (!harness().cables.empty()) validate(harness());
     for (const CableShape& shape : saved_.shape.shapes) {
       if (shape.points.size() >= 2) continue;
       saved_.shape = {};
@@ -203,7 +204,11 @@ class DesignReader {
   }
 
   bool readCable(std::string_view kind) {
-    if (kind == "cable") {
+    if (kind == "new_cable") {
+      Cable& cable = harness().cables.emplace_back();
+      cable.name = reader_.word();
+      saved_.shape.shapes.push_back({cable.name, 0.0, {}});
+    } else if (kind == "cable") {
       Cable& cable = nextCable();
       cable.length = reader_.number();
     } else if (kind == "section") {
@@ -319,7 +324,8 @@ std::string savedDesignText(const Design& design, const Scene& loaded, const Equ
     writer.line("shift").index(i);
     visitPose(shift->second, writer);
   }
-  for (std::size_t i = 0; i < harness.cables.size(); ++i) writeCable(harness.cables[i], i, writer);
+  for (std::size_t i = 0; i < harness.cables.size(); ++i)
+    writeCable(harness.cables[i], i, i >= loaded.harness.cables.size(), writer);
   for (std::size_t i = 0; i < harness.joints.size(); ++i) {
     writer.line("joint").index(i)(harness.joints[i].parent_arc_length);
     writer(harness.joints[i].child_arc_length);

@@ -47,7 +47,7 @@ struct InputLimits {
   std::size_t name_bytes = 200;     ///< of a name in UTF-8
   std::size_t faults = 1'000;       ///< told of one scene; the reader stops there
 
-  // of the process that imports COLLADA
+  // of the process that imports COLLADA or a bag
   std::size_t import_seconds = 20;            ///< of time and of CPU time
   std::size_t import_memory = 2'000'000'000;  ///< [B]
 };

@@ -22,7 +22,7 @@ bool needsNominal(const Measure& measure) { return traitsOf(measure.type).from_n
 MeasureValue withoutNominal() {
   MeasureValue value;
   value.value = std::numeric_limits<double>::quiet_NaN();
-  value.note = "the design, with its components where the scene has them, has no equilibrium to compare with";
+  value.note = "the scene as it was loaded has no equilibrium to compare with";
   return value;
 }
 
@@ -32,10 +32,10 @@ void MeasuredShape::prepare() {
   if (evaluator_ && design_number_ == context_.designNumber()) return;
   const Scene& scene = context_.design().scene;
   evaluator_.emplace(context_.evaluatorInForce());
-  has_nominal_ = context_.moved().empty();
-  if (!has_nominal_ && std::any_of(scene.measures.begin(), scene.measures.end(), needsNominal)) {
+  has_nominal_ = false;
+  if (std::any_of(scene.measures.begin(), scene.measures.end(), needsNominal)) {
     try {
-      const SolverContext::Trial nominal = context_.solve({}, {}, true);
+      const SolverContext::Trial& nominal = context_.asLoaded();
       evaluator_.emplace(evaluator_->with(scene, {nominal.harness, nominal.equilibrium, nominal.components}));
       has_nominal_ = true;
     } catch (const cable_variation::Error&) {

@@ -9,8 +9,9 @@ namespace cable_variation_ros {
 
 class SolverContext;
 
-/// All measures of the shape in force, evaluated once for all who ask. A similarity is that to the design
-/// with its components where the scene has them; without such an equilibrium it is not a number.
+/// All measures of the shape in force, evaluated once for all who ask. A similarity is that to the scene as
+/// it was loaded, SolverContext::asLoaded(), so that it tells of every edit and every move; without such an
+/// equilibrium it is not a number.
 class MeasuredShape {
  public:
   /// @param context must outlive this

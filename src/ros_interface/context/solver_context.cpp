@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include <cable_variation/analysis/design_snapshot.h>
 #include <cable_variation/analysis/design_stability.h>
 #include <cable_variation/equilibrium/require_converged.h>
 #include <cable_variation/report/design_changes.h>
@@ -35,6 +36,10 @@ std::string textOf(const Scene& scene, const InputLimits& limits) {
   }
 }
 
+void requireShape(const Equilibrium& equilibrium, const Harness& harness) {
+  if (!harness.cables.empty()) requireConverged(equilibrium);
+}
+
 }  // namespace
 
 SolverContext::SolverContext(Scene scene, const InputLimits& limits)
@@ -44,7 +49,9 @@ SolverContext::SolverContext(Scene scene, const InputLimits& limits)
       design_{loaded_, {}, {}},
       harness_(harnessAt(design_, {}, moved_)),
       solver_(newSolver(loaded_)),
-      equilibrium_(solver_.solve(harness_)) {}
+      equilibrium_(shapeFromNothing(solver_, harness_)) {
+  if (equilibrium_.converged()) as_loaded_ = Trial{harness_, equilibrium_, components()};
+}
 
 void SolverContext::notify() {
   evaluator_in_force_ = false;
@@ -53,7 +60,7 @@ void SolverContext::notify() {
 
 void SolverContext::take(EquilibriumSolver solver, Design design, Harness harness, Equilibrium equilibrium,
                          bool edited, std::optional<cable_variation::AttachedClips> attachment) {
-  requireConverged(equilibrium);
+  requireShape(equilibrium, harness);
   attached_before_.clear();
   for (const cable_variation::Clip& clip : design_.scene.harness.clips)
     attached_before_.push_back(clip.attached);
@@ -75,9 +82,11 @@ void SolverContext::load(Scene scene) {
   Design design{std::move(scene), {}, {}};
   Harness harness = harnessAt(design, {});
   EquilibriumSolver solver = newSolver(design.scene);
-  Equilibrium equilibrium = solver.solve(harness);
-  requireConverged(equilibrium);
+  Equilibrium equilibrium = shapeFromNothing(solver, harness);
+  requireShape(equilibrium, harness);
   replaceScene(design.scene, std::move(text));
+  if (equilibrium.converged())
+    as_loaded_ = Trial{harness, equilibrium, componentPosesAt(design.scene, {}, {})};
   ++loads_;
   take(std::move(solver), std::move(design), std::move(harness), std::move(equilibrium), false);
 }
@@ -86,8 +95,9 @@ void SolverContext::restore(Scene loaded, cable_variation::SavedDesign saved) {
   std::string text = textOf(loaded, limits_);
   Harness harness = harnessAt(saved.design, {}, placesOf(saved.design, {}));
   EquilibriumSolver solver = newSolver(loaded);
-  Equilibrium equilibrium = solveSaved(solver, harness, saved.shape);
-  requireConverged(equilibrium);
+  Equilibrium equilibrium =
+      harness.cables.empty() ? shapeFromNothing(solver, harness) : solveSaved(solver, harness, saved.shape);
+  requireShape(equilibrium, harness);
   if (loaded.source != loaded_.source) ++loads_;
   replaceScene(std::move(loaded), std::move(text));
   take(std::move(solver), std::move(saved.design), std::move(harness), std::move(equilibrium), true);
@@ -99,21 +109,22 @@ void SolverContext::replaceScene(Scene loaded, std::string text) {
   on_tf_.clear();
   moved_.clear();
   evaluator_.reset();
+  as_loaded_.reset();
 }
 
 void SolverContext::reset() {
   Design design{loaded_, {}, {}};
   Harness harness = harnessAt(design, {}, on_tf_);
   EquilibriumSolver solver = newSolver(loaded_);
-  Equilibrium equilibrium = solver.solve(harness);
+  Equilibrium equilibrium = shapeFromNothing(solver, harness);
   take(std::move(solver), std::move(design), std::move(harness), std::move(equilibrium), false);
 }
 
 void SolverContext::adopt(Design design) {
   Harness harness = harnessAt(design, {}, placesOf(design, on_tf_));
   EquilibriumSolver solver = solver_;
-  Equilibrium equilibrium = solver.update(harness);
-  if (!equilibrium.converged()) equilibrium = solver.solve(harness);
+  Equilibrium equilibrium = harness.cables.empty() ? Equilibrium() : solver.update(harness);
+  if (!equilibrium.converged()) equilibrium = shapeFromNothing(solver, harness);
   take(std::move(solver), std::move(design), std::move(harness), std::move(equilibrium), true);
 }
 
@@ -136,7 +147,8 @@ void SolverContext::move(const ComponentPoses& on_tf, const ros::Time& stamp) {
     followed = followClips(solver, harness_, equilibrium_, harness);
     if (!followed.equilibrium.converged()) last_shape_ = std::move(equilibrium_);
   } else {
-    followed.equilibrium = solver.update(harness);
+    followed.equilibrium =
+        harness.cables.empty() ? shapeFromNothing(solver, harness) : solver.update(harness);
   }
   if (followed.equilibrium.converged()) solver_ = std::move(solver);
   on_tf_ = on_tf;
@@ -209,6 +221,18 @@ std::vector<MeasureValue> SolverContext::measure(const SolvedScene& at,
 std::vector<MeasureValue> SolverContext::measure(const Trial& trial,
                                                  const std::vector<std::size_t>& measures) const {
   return measure(SolvedScene{trial.harness, trial.equilibrium, trial.components}, measures);
+}
+
+const SolverContext::Trial& SolverContext::asLoaded() const {
+  if (!as_loaded_) {
+    const Design design{loaded_, {}, {}};
+    EquilibriumSolver solver = newSolver(loaded_);
+    Trial trial{harnessAt(design, {}), {}, componentPosesAt(loaded_, {}, {})};
+    trial.equilibrium = shapeFromNothing(solver, trial.harness);
+    as_loaded_ = std::move(trial);
+  }
+  requireConverged(as_loaded_->equilibrium);
+  return *as_loaded_;
 }
 
 StabilityAnalysis SolverContext::analyse(StabilityOptions& options) const {

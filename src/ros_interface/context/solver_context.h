@@ -21,7 +21,8 @@ namespace cable_variation_ros {
 /// The scene, the design in force and its shape: what the solver's services share.
 class SolverContext {
  public:
-  /// The harness need not have an equilibrium: equilibrium() tells.
+  /// The harness need not have an equilibrium: equilibrium() tells. A scene of components alone has none
+  /// either, and loads, edits and moves as others do.
   /// @param limits of files that are read
   explicit SolverContext(cable_variation::Scene scene, const cable_variation::InputLimits& limits = {});
 
@@ -108,6 +109,10 @@ class SolverContext {
   Trial solve(const cable_variation::DesignValues& values, const cable_variation::ComponentPoses& moved,
               bool follow) const;
 
+  /// The scene as it was loaded, without edits and with its components where it has them, solved from
+  /// nothing, once. Throws requireConverged()'s.
+  const Trial& asLoaded() const;
+
   /// Measures (indices into Scene::measures) of a trial, similarity being that
   /// to the shape in force; without such a shape it is not a number, and its
   /// note says so.
@@ -150,6 +155,7 @@ class SolverContext {
   // Preparing the components' geometry takes tens of milliseconds: done when first needed, kept for a scene.
   mutable std::optional<cable_variation::MeasureEvaluator> evaluator_;
   mutable bool evaluator_in_force_ = false;  ///< its nominal shape is the one in force
+  mutable std::optional<Trial> as_loaded_;
   std::size_t loads_ = 0;
   bool edited_ = false;
 };

@@ -1,11 +1,27 @@
 #include <ros_interface/context/solver_diagnostics.h>
 
+#include <optional>
+
 #include <ros/node_handle.h>
 
+#include <cable_variation/util/heap_use.h>
 #include <ros_interface/context/solver_context.h>
 #include <ros_interface/conversion/scene_loading.h>
 
 namespace cable_variation_ros {
+
+namespace {
+
+void reportMemory(diagnostic_updater::DiagnosticStatusWrapper& status) {
+  constexpr double kMegabyte = 1e6;
+  const std::optional<cable_variation::HeapUse> use = cable_variation::heapUse();
+  status.summary(diagnostic_msgs::DiagnosticStatus::OK, use ? "of the heap" : "not known");
+  if (!use) return;
+  status.add("live [MB]", static_cast<double>(use->live) / kMegabyte);
+  status.add("held [MB]", static_cast<double>(use->held) / kMegabyte);
+}
+
+}  // namespace
 
 SolverDiagnostics::SolverDiagnostics(ros::NodeHandle& node, const SolverContext& context)
     : context_(context), converged_(context.equilibrium().converged()) {
@@ -13,6 +29,7 @@ SolverDiagnostics::SolverDiagnostics(ros::NodeHandle& node, const SolverContext&
   updater_.add("equilibrium",
                [this](diagnostic_updater::DiagnosticStatusWrapper& status) { report(status); });
   updater_.add("scene", [this](diagnostic_updater::DiagnosticStatusWrapper& status) { reportScene(status); });
+  updater_.add("memory", reportMemory);
   timer_ = node.createWallTimer(ros::WallDuration(1.0),
                                 [this](const ros::WallTimerEvent&) { updater_.force_update(); });
 }
@@ -39,7 +56,9 @@ void SolverDiagnostics::contextChanged() {
 
 void SolverDiagnostics::report(diagnostic_updater::DiagnosticStatusWrapper& status) const {
   const cable_variation::Equilibrium& equilibrium = context_.equilibrium();
-  if (equilibrium.converged()) {
+  if (context_.harness().cables.empty()) {
+    status.summary(diagnostic_msgs::DiagnosticStatus::OK, equilibrium.message);
+  } else if (equilibrium.converged()) {
     status.summary(diagnostic_msgs::DiagnosticStatus::OK, "stable equilibrium");
   } else {
     status.summary(diagnostic_msgs::DiagnosticStatus::ERROR,

@@ -15,7 +15,11 @@ std::string resolveAddress(const std::string& address, std::uintmax_t most_bytes
 }
 
 cable_variation::Scene loadScene(const std::string& address, const cable_variation::InputLimits& limits) {
-  return cable_variation::loadScene(address, findPackage, readBagMotion, limits);
+  const auto read_bag = [&limits](const std::string& path, const std::string& topic, const std::string& frame,
+                                  const std::string& parent, cable_variation::Motion& motion) {
+    readBagMotion(path, topic, frame, parent, motion, limits);
+  };
+  return cable_variation::loadScene(address, findPackage, read_bag, limits);
 }
 
 void logWarnings(const cable_variation::Scene& scene) {

@@ -1,5 +1,7 @@
 #include <ros_interface/display/live_publisher.h>
 
+#include <limits>
+
 #include <geometry_msgs/WrenchStamped.h>
 #include <std_msgs/Float64.h>
 
@@ -45,6 +47,10 @@ std_msgs::Header headerOf(const SolverContext& context) {
 LiveMeasures toMeasures(const SolverContext& context, const std::vector<MeasureValue>& measured) {
   LiveMeasures message;
   message.header = headerOf(context);
+  if (context.harness().cables.empty()) {
+    message.smallest_eigenvalue = std::numeric_limits<double>::quiet_NaN();
+    return message;
+  }
   message.status = runRequest([&] { requireConverged(context.equilibrium()); });
   if (!context.equilibrium().converged()) return message;
   const Scene& scene = context.design().scene;

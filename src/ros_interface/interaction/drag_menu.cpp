@@ -37,6 +37,11 @@ MenuHandler dragMenu(DragTarget::Kind kind, const DragActions& actions) {
       add_clip(dragTargetOf(feedback->marker_name), pointOf(*feedback), type);
     });
   }
+  if (kind == DragTarget::Kind::component) {
+    menu.insert("Add a cable here", [add_cable = actions.add_cable](const Feedback& feedback) {
+      add_cable(dragTargetOf(feedback->marker_name), pointOf(*feedback));
+    });
+  }
   return menu;
 }
 

@@ -15,6 +15,7 @@ struct DragActions {
   OnTarget analyse, set_as_design, put_back, reset;
   /// @param point in the world, that was clicked on
   std::function<void(const DragTarget&, const Eigen::Vector3d& point, const std::string& type)> add_clip;
+  std::function<void(const DragTarget&, const Eigen::Vector3d& point)> add_cable;  ///< on a component
 };
 
 /// The menus that a right click opens, for things of one kind.

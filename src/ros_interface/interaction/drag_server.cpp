@@ -10,9 +10,11 @@
 #include <ros/node_handle.h>
 
 #include <cable_variation/harness/clip_preset.h>
+#include <cable_variation/scene/added_cable.h>
 #include <ros_interface/context/solver_context.h>
 #include <ros_interface/conversion/message_conversion.h>
 #include <ros_interface/conversion/same_poses.h>
+#include <ros_interface/interaction/added_cable.h>
 #include <ros_interface/interaction/added_clip.h>
 #include <ros_interface/interaction/mouse_pose.h>
 #include <ros_interface/node/names.h>
@@ -61,6 +63,9 @@ DragServer::DragServer(ros::NodeHandle& node, SolverContext& context,
   actions.add_clip = [this](const DragTarget& target, const Eigen::Vector3d& point, const std::string& type) {
     addClip(target, point, type);
   };
+  actions.add_cable = [this](const DragTarget& target, const Eigen::Vector3d& point) {
+    addCable(target, point);
+  };
   for (const Kind kind : {Kind::clip, Kind::component, Kind::cable}) menus_[kind] = dragMenu(kind, actions);
   tick_ = node.createWallTimer(ros::WallDuration(kTick), [this](const ros::WallTimerEvent&) {
     ++calm_;
@@ -87,6 +92,7 @@ void DragServer::hear(const Feedback& feedback) {
   } else if (feedback->event_type == InteractiveMarkerFeedback::MOUSE_UP) {
     follow();
     dragged_.clear();
+    calm_ = 0;             // the cables' sheaths, which did not follow meanwhile, are laid anew
     shown_.erase(marker);  // where it was let go need not be where it is
     outdated_ = true;
   } else if (feedback->event_type == InteractiveMarkerFeedback::POSE_UPDATE) {
@@ -186,6 +192,14 @@ void DragServer::addClip(const DragTarget& target, const Eigen::Vector3d& point,
   edit(target, [&](Design& design) {
     AddedClip added = clipAt(context_, point, type, cable, component);
     cable_variation::addClip(design, std::move(added.clip), added.mount);
+  });
+}
+
+void DragServer::addCable(const DragTarget& target, const Eigen::Vector3d& point) {
+  edit(target, [&](Design& design) {
+    AddedCable added = cableAt(context_, point, target.name);
+    cable_variation::addCable(design, std::move(added.cable));
+    for (AddedClip& end : added.ends) cable_variation::addClip(design, std::move(end.clip), end.mount);
   });
 }
 

@@ -53,6 +53,7 @@ class DragServer {
   void putBack(const DragTarget& target);
   void reset(const DragTarget& target);
   void addClip(const DragTarget& target, const Eigen::Vector3d& point, const std::string& type);
+  void addCable(const DragTarget& target, const Eigen::Vector3d& point);
   std::vector<std::string> variablesOf(const DragTarget& target) const;
   void refresh();
   void show(const DragTarget& target, const cable_variation::Pose& pose, double size);

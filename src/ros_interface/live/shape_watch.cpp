@@ -15,8 +15,11 @@ std::vector<CableEvent> ShapeWatch::eventsOf(const SolverContext& context,
   if (context.lastAttachment())
     events = clipEvents(context.attachedBefore(), context.harness(), *context.lastAttachment());
   if (context.lastJump()) events.push_back(snapEvent(context.harness(), *context.lastJump()));
-  if (const auto event = equilibriumEvent(converged_, context.equilibrium())) events.push_back(*event);
-  converged_ = context.equilibrium().converged();
+  const bool no_cable = context.harness().cables.empty();  // then nothing is lost
+  if (!no_cable) {
+    if (const auto event = equilibriumEvent(converged_, context.equilibrium())) events.push_back(*event);
+  }
+  converged_ = no_cable || context.equilibrium().converged();
 
   const cable_variation::Scene& scene = context.design().scene;
   if (source_ != scene.source) limits_ = {};

@@ -114,11 +114,11 @@ AnalyzeStabilityService::Response AnalyzeStabilityService::analyse(const Request
 void AnalyzeStabilityService::writeReport(const Request& request, const Scene& scene,
                                           const StabilityAnalysis& analysis, const StabilityOptions& options,
                                           Response& response) const {
-  const std::string csv = stabilityCsv(scene, analysis, options.values);
-  response.csv_file = writeBeside(output_, request.report, ".csv", csv, response.status);
   response.report_file =
       writeBeside(output_, request.report, ".html",
                   stabilityPage(context_.origin(), scene, analysis, options), response.status);
+  const std::string csv = stabilityCsv(scene, analysis, options.values);
+  response.csv_file = writeBeside(output_, request.report, ".csv", csv, response.status);
 }
 
 }  // namespace cable_variation_ros

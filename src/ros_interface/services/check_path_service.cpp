@@ -77,8 +77,8 @@ void writeReport(const std::string& name, const Question& question, const PathCh
   review.measures = cable_variation::allIndices(scene.measures.size());
   review.measured = question.evaluator->evaluate(solved, review.measures);
   review.path.emplace(cable_variation::PathFindings{check, question.request.over_motions});
-  response.csv_path = writeBeside(output, name, ".csv", pathCsv(scene, check), response.status);
   response.report_path = writeBeside(output, name, ".html", reviewPage(review), response.status);
+  response.csv_path = writeBeside(output, name, ".csv", pathCsv(scene, check), response.status);
 }
 
 }  // namespace

@@ -14,9 +14,6 @@ struct ImportedMesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-/// How it ends.
-enum class ImportEnd { mesh = 0, refused = 2, out_of_memory = 3 };  // beside those of shells
-
 /// As bytes, for a process on the same machine.
 std::string bytesOf(const ImportedMesh& mesh);
 /// How many bytes a mesh of so many triangles has at most.

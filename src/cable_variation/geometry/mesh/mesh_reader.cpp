@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <csignal>
 #include <filesystem>
 #include <stdexcept>
 
@@ -11,9 +10,7 @@
 #include <cable_variation/geometry/mesh/ply_reader.h>
 #include <cable_variation/geometry/mesh/soup_builder.h>
 #include <cable_variation/geometry/mesh/stl_reader.h>
-#include <cable_variation/util/child_process.h>
-#include <cable_variation/util/helper_program.h>
-#include <cable_variation/util/readable_text.h>
+#include <cable_variation/util/import_program.h>
 #include <cable_variation/util/regular_file.h>
 
 namespace cable_variation {
@@ -41,42 +38,14 @@ double area(const TriangleMesh& mesh) {
 
 // By a process of its own, for what reads it cannot be trusted.
 TriangleMesh readCollada(const std::string& contents, const InputLimits& limits) {
-  const std::string seconds = std::to_string(limits.import_seconds);
-  const ChildRun run =
-      runChild(helperProgram("collada_importer"),
-               {std::to_string(limits.import_memory), seconds, std::to_string(limits.xml_parts),
-                std::to_string(limits.triangles)},
-               contents, static_cast<double>(limits.import_seconds), mostBytesOf(limits.triangles));
-  const auto took_too_long = [&] {
-    return std::invalid_argument("reading it took longer than the " + seconds +
-                                 " s of the limit import_seconds; it was given up");
-  };
-  const auto took_too_much = [&] {
-    return std::invalid_argument("reading it took more than the " + std::to_string(limits.import_memory) +
-                                 " bytes of the limit import_memory; it was given up");
-  };
-  switch (run.end) {
-    case ChildRun::End::took_too_long:
-      throw took_too_long();
-    case ChildRun::End::wrote_too_much:
-      throw std::invalid_argument("it has more triangles; " + atMost(limits.triangles, "triangles"));
-    case ChildRun::End::killed_by_signal:
-      if (run.code == SIGXCPU || run.code == SIGKILL) throw took_too_long();
-      throw std::invalid_argument("its importer crashed (" + signalName(run.code) +
-                                  "); expected a file that can be read");
-    case ChildRun::End::exited:
-      break;
-  }
-  if (run.code == static_cast<int>(ImportEnd::refused)) throw std::invalid_argument(readableText(run.output));
-  if (run.code == static_cast<int>(ImportEnd::out_of_memory)) throw took_too_much();
-  if (run.code != static_cast<int>(ImportEnd::mesh)) {
-    throw std::invalid_argument("its importer ended with code " + std::to_string(run.code));
-  }
-  const ImportedMesh imported = importedMesh(run.output);
+  const ImportedMesh mesh = importedMesh(
+      imported("collada_importer", {std::to_string(limits.xml_parts), std::to_string(limits.triangles)},
+               contents, limits, mostBytesOf(limits.triangles),
+               "it has more triangles; " + atMost(limits.triangles, "triangles")));
   SoupBuilder builder;
   std::vector<std::uint32_t> vertices;
-  for (const auto& [x, y, z] : imported.points) vertices.push_back(builder.vertex({x, y, z}));
-  for (const auto& [a, b, c] : imported.triangles) {
+  for (const auto& [x, y, z] : mesh.points) vertices.push_back(builder.vertex({x, y, z}));
+  for (const auto& [a, b, c] : mesh.triangles) {
     builder.polygon({vertices[a], vertices[b], vertices[c]});
   }
   return builder.take();
