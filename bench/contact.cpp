@@ -101,6 +101,20 @@ void harnessWarm(benchmark::State& state, bool touching) {
   solveWarm(state, harnessTurned(touching, 5.0, 5.0), harnesses);
 }
 
+// The shipped bundle that lies along 200 mm of a rail and in two clips; warm, as its length varies by 0.4 mm.
+Harness onRail(double longer) {
+  static const Scene scene = shippedCase("rail");
+  return harnessAt(scene, {{"length", longer}});
+}
+
+void railCold(benchmark::State& state) { solveCold(state, onRail(0.0)); }
+
+void railWarm(benchmark::State& state) {
+  std::vector<Harness> harnesses;
+  for (int i = 1; i <= 8; ++i) harnesses.push_back(onRail((i % 2 == 0 ? 1e-4 : -1e-4) * ((i + 1) / 2)));
+  solveWarm(state, onRail(0.0), harnesses);
+}
+
 BENCHMARK_CAPTURE(hangCold, free, false)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(hangCold, on_a_table, true)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(hangWarm, free, false)->Unit(benchmark::kMicrosecond);
@@ -109,6 +123,8 @@ BENCHMARK_CAPTURE(harnessCold, through_the_tab, false)->Unit(benchmark::kMicrose
 BENCHMARK_CAPTURE(harnessCold, on_the_tab, true)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(harnessWarm, through_the_tab, false)->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(harnessWarm, on_the_tab, true)->Unit(benchmark::kMicrosecond);
+BENCHMARK(railCold)->Unit(benchmark::kMicrosecond);
+BENCHMARK(railWarm)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace cable_variation::bench

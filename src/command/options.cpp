@@ -55,15 +55,21 @@ double numberIn(const std::string& text, const std::string& si_unit) {
   return cable_variation::parseQuantity(text, cable_variation::quantity::number);
 }
 
-// None is what an option that is left out stands for: asked for by its number it would be another.
 template <typename Count>
-Count countIn(const std::string& option, const std::string& text) {
+Count wholeNumberIn(const std::string& option, const std::string& text, Count least, const char* otherwise) {
   const char* const end = text.data() + text.size();
   Count read = 0;
   const std::from_chars_result result = std::from_chars(text.data(), end, read);
-  if (result.ec == std::errc() && result.ptr == end && read > 0) return read;
-  throw UsageError("--" + option + ": is " + quoted(text) + ", expected a whole number, 1 to " +
-                   std::to_string(std::numeric_limits<Count>::max()) + ", or the option left out");
+  if (result.ec == std::errc() && result.ptr == end && read >= least) return read;
+  throw UsageError("--" + option + ": is " + quoted(text) + ", expected a whole number, " +
+                   std::to_string(least) + " to " + std::to_string(std::numeric_limits<Count>::max()) +
+                   otherwise);
+}
+
+// None is what an option that is left out stands for: asked for by its number it would be another.
+template <typename Count>
+Count countIn(const std::string& option, const std::string& text) {
+  return wholeNumberIn<Count>(option, text, 1, ", or the option left out");
 }
 
 }  // namespace
@@ -134,6 +140,13 @@ void Options::count(const char* name, const char* value, std::uint32_t& to, cons
   const std::string option = name;
   add({name, value, help, Takes::one,
        [&to, option](const auto& values) { to = countIn<std::uint32_t>(option, values.front()); }});
+}
+
+void Options::index(const char* name, const char* value, std::uint64_t& to, const std::string& help) {
+  const std::string option = name;
+  add({name, value, help, Takes::one, [&to, option](const auto& values) {
+         to = wholeNumberIn<std::uint64_t>(option, values.front(), 0, "");
+       }});
 }
 
 Options::Option& Options::find(const std::string& name) {

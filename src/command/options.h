@@ -34,9 +34,11 @@ class Options {
   void texts(const char* name, const char* value, std::vector<std::string>& to, const std::string& help);
   /// SI; or with a unit of the dimension of `si_unit`, "1": a number or percentage.
   void number(const char* name, const char* value, const char* si_unit, double& to, const std::string& help);
-  /// A whole number.
+  /// A whole number from 1 on.
   void count(const char* name, const char* value, std::uint32_t& to, const std::string& help);
   void count(const char* name, const char* value, std::uint64_t& to, const std::string& help);
+  /// A whole number from 0 on.
+  void index(const char* name, const char* value, std::uint64_t& to, const std::string& help);
 
   /// Reads the words after the verb. Throws UsageError: an option that is not known, with the nearest one
   /// that is, or given twice; a value that is missing or wrong; a word too many or missing.

@@ -29,7 +29,7 @@ class SimulateVerb : public Verb {
     scene_.declare(options);
     options.count("samples", "COUNT", request_.samples,
                   "10,000; with --sigma_error no more than these, 1,000,000");
-    options.count("first_sample", "INDEX", request_.first_sample,
+    options.index("first_sample", "INDEX", request_.first_sample,
                   "a shard: --samples from this index on, kept in NAME.blocks for `cable_variation merge`");
     options.number("sigma_error", "SHARE", "1", request_.sigma_error,
                    "stop when each sigma is known to this share, as 2%; default: after --samples");

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -42,8 +43,10 @@ std::string textOf(const Scene& scene, const StabilityAnalysis& analysis) {
       text += wrapped(name + ": not defined: " + analysis.whyUndefined(i));
   }
   text += couplingText(analysis.coupling) + "\n";
-  text += "smallest eigenvalue " + numberText(analysis.nominal.smallest_eigenvalue, 4) +
-          " N/m; derivatives in " + numberText(1e3 * analysis.linear_time, 3) + " ms";
+  const double eigenvalue = analysis.nominal.smallest_eigenvalue;
+  text += std::isnan(eigenvalue) ? "the smallest eigenvalue is not known where cables touch parts"
+                                 : "smallest eigenvalue " + numberText(eigenvalue, 4) + " N/m";
+  text += "; derivatives in " + numberText(1e3 * analysis.linear_time, 3) + " ms";
   if (!analysis.low_high.empty())
     text += ", low and high in " + numberText(1e3 * analysis.resolve_time, 3) + " ms";
   return text + "\n";

@@ -247,7 +247,7 @@ double leastBetween(const Harness& harness, const Equilibrium& equilibrium, cons
   const double way = 4.0 * (first.radius + second.radius);
   const auto joint = jointBetween(harness, pair.cable, *pair.other);
   if (!joint) throw std::runtime_error("not joined");
-  constexpr double kStep = 0.002;
+  constexpr double kStep = 0.0002;  // where they hang together ends, the distance falls as fast as they part
   std::vector<Vector3d> points;
   for (double t = 0.0; t <= second.points.back().arc_length; t += kStep) points.push_back(second.position(t));
   double least = 1.0;

@@ -313,7 +313,7 @@ TEST(MeasureStatistics, WithoutItsGroundsThereIsNoControl) {
   accumulator.add(kNaN, 0.0);
   const MeasureStatistics s = accumulator.statistics(0.95, LinearMoments{0.0, 0.7});
   EXPECT_FALSE(s.controlled);
-  EXPECT_EQ(s.no_control, "1 samples have no value: of the others the linear model's mean is not known");
+  EXPECT_EQ(s.no_control, "1 sample has no value: of the others the linear model's mean is not known");
 }
 
 // Points that are stratified lie closer to the true figures than the intervals, which are for independent

@@ -82,6 +82,7 @@ TEST(Clearance, EveryClipSitsOnItsComponent) {
   }
 }
 
+// But for what it has contact with.
 TEST(Clearance, NoCableTouchesAPartBetweenItsClips) {
   for (const std::string& file : sceneFiles()) {
     const Scene scene = readShipped(file);
@@ -94,6 +95,10 @@ TEST(Clearance, NoCableTouchesAPartBetweenItsClips) {
       const double step = 0.002;
       for (double s = first; s < last; s += step) {
         for (const Component& component : scene.components) {
+          const bool may_touch =
+              std::any_of(scene.harness.contacts.begin(), scene.harness.contacts.end(),
+                          [&](const PartContact& contact) { return contact.part == component.name; });
+          if (may_touch) continue;
           const double clearance =
               distanceToComponent(scene, component, shape.position(s), 2.0 * shape.radius) - shape.radius;
           EXPECT_GT(clearance, 0.001)

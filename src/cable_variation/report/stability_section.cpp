@@ -124,11 +124,14 @@ ReportSection stabilitySection(const Scene& scene, const StabilityAnalysis& anal
     return section;
   }
   for (const std::string& warning : analysis.warnings) section.warning(warning);
-  section.paragraph("Smallest eigenvalue " + figure(analysis.nominal.smallest_eigenvalue) +
-                    " N/m: how stiffly the shape resists its softest motion; at 0 it snaps over. "
-                    "Centrelines are within about " +
-                    figure(1e3 * analysis.nominal.discretisation_error, 2) + " mm of the exact ones. " +
-                    (analysis.measures.empty() ? "" : couplingText(analysis.coupling)));
+  const double eigenvalue = analysis.nominal.smallest_eigenvalue;
+  section.paragraph(
+      (std::isnan(eigenvalue)
+           ? "The smallest eigenvalue is not known where cables touch parts. "
+           : "Smallest eigenvalue " + figure(eigenvalue) +
+                 " N/m: how stiffly the shape resists its softest motion; at 0 it snaps over. ") +
+      "Centrelines are within about " + figure(1e3 * analysis.nominal.discretisation_error, 2) +
+      " mm of the exact ones. " + (analysis.measures.empty() ? "" : couplingText(analysis.coupling)));
 
   if (!analysis.measures.empty()) {
     section.heading("Measures");

@@ -1,10 +1,13 @@
 #include <rviz_plugins/panel/analysis_page.h>
 
+#include <cmath>
+
 #include <QFileInfo>
 #include <QLabel>
 #include <QUrl>
 #include <QVBoxLayout>
 
+#include <cable_variation/util/display_unit.h>
 #include <rviz_plugins/panel/solver_connection.h>
 
 namespace cable_variation_rviz {
@@ -33,6 +36,11 @@ std::string AnalysisPage::service(const char* name) const { return solver_.solve
 void AnalysisPage::setSummary(const QString& html) {
   summary_->setText(html);
   summary_->setVisible(!html.isEmpty());
+}
+
+QString eigenvalueText(double eigenvalue) {
+  if (std::isnan(eigenvalue)) return "smallest eigenvalue not known where cables touch parts";
+  return "smallest eigenvalue " + QString::fromStdString(cable_variation::displayValue(eigenvalue, "N/m"));
 }
 
 QString summaryLines(const QStringList& lines, const std::vector<std::string>& warnings,

@@ -51,6 +51,9 @@ class AnalysisPage : public QWidget {
   QVBoxLayout* results_;
 };
 
+/// "smallest eigenvalue 275 N/m", or that it is not known (not a number).
+QString eigenvalueText(double eigenvalue);
+
 /// Lines of a summary: each escaped, one below the other; a mark before warnings.
 QString summaryLines(const QStringList& lines, const std::vector<std::string>& warnings,
                      const std::vector<std::string>& files);

@@ -95,8 +95,8 @@ void EquilibriumPage::show(const SolveEquilibriumResponse& answer) {
   reactions_->setTable({"Clip, joint or part", "Force [N]", "Moment [N m]", "Fx [N]", "Fy [N]", "Fz [N]"},
                        std::move(reactions));
   const QStringList lines = {
-      QString("Stable: smallest eigenvalue %1; energy %2")
-          .arg(QString::fromStdString(displayValue(answer.smallest_eigenvalue, "N/m")),
+      QString("Stable: %1; energy %2")
+          .arg(eigenvalueText(answer.smallest_eigenvalue),
                QString::fromStdString(displayValue(answer.energy.total, "J"))),
       QString("Estimated error %1, residual %2; other stable shapes met: %3; solved in %4 ms")
           .arg(QString::fromStdString(displayValue(answer.discretisation_error, "m", 2)),

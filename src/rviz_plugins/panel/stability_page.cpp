@@ -78,10 +78,9 @@ void StabilityPage::show(const AnalyzeStabilityResponse& answer) {
   matrix.share = answer.contribution;
   matrix.derivative = answer.jacobian;
   contributions_->setMatrix(matrix);
-  QStringList lines = {
-      QString("Shown: the effect of %1. Coupling: %2. Smallest eigenvalue %3.")
-          .arg(QString::fromStdString(answer.shown), QString::fromStdString(answer.coupling),
-               QString::fromStdString(cable_variation::displayValue(answer.smallest_eigenvalue, "N/m")))};
+  QStringList lines = {QString("Shown: the effect of %1. Coupling: %2; %3.")
+                           .arg(QString::fromStdString(answer.shown), QString::fromStdString(answer.coupling),
+                                eigenvalueText(answer.smallest_eigenvalue))};
   for (const auto& snap : answer.snaps) {
     lines << QString::fromStdString("snaps over as " + snap.variable + " varies, by " +
                                     cable_variation::displayValue(snap.jump, "m") + " of " + snap.cable);

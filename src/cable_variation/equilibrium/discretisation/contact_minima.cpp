@@ -2,6 +2,7 @@
 // section that lies on it but the edge, about which the cable rolls and over which it slides.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 
 #include <cable_variation/equilibrium/discretisation/contact_system.h>
@@ -135,6 +136,32 @@ void ContactSystem::moveMinima(std::size_t span, const SpanConfiguration& nodes)
                    [](const Place& a, const Place& b) { return a.share < b.share; });
 }
 
+// Whether the gaps of the next places to both sides that are as far off as sharpness is judged, as they were
+// evaluated last, are nearly the same: a sharp minimum rises by four times as much to one of them at least,
+// wherever between them it is. So none is looked for. Told only of a place that presses one way.
+bool ContactSystem::liesFlat(std::size_t span, const SpanConfiguration& nodes, std::size_t place) const {
+  const SpanPlaces& of = spans_[span];
+  const Place& here = of.places[place];
+  if (here.held.size() != 1) return false;
+  const Held& held = here.held.front();
+  const auto k = static_cast<std::size_t>(std::find(of.contacts.begin(), of.contacts.end(), held.contact) -
+                                          of.contacts.begin());
+  const Vector3d x = positionAt(nodes, here);
+  const double reach = this->reach(held.contact, here);
+  const double rise = 0.25 * kSharp * 0.5 * kAside * kAside * reach;
+  const auto isAside = [&](const Place& at) { return (positionAt(nodes, at) - x).norm() >= kAside * reach; };
+  const auto isAlike = [&](const Place& at) {
+    const bool same_way = std::all_of(at.held.begin(), at.held.end(), [&](const Held& other) {
+      return other.contact == held.contact && other.direction.dot(held.direction) > kSameDirection;
+    });
+    return same_way && !at.moves && std::abs(at.gap[k] - here.gap[k]) < rise;
+  };
+  const auto begin = of.places.begin() + static_cast<std::ptrdiff_t>(place);
+  const auto after = std::find_if(begin, of.places.end(), isAside);
+  const auto before = std::find_if(std::make_reverse_iterator(begin), of.places.rend(), isAside);
+  return after != of.places.end() && before != of.places.rend() && isAlike(*after) && isAlike(*before);
+}
+
 void ContactSystem::letMove(std::size_t span, const SpanConfiguration& nodes) {
   constexpr double kSamePlace = 1e-3;  // reaches
   std::vector<Place> moving;
@@ -152,7 +179,8 @@ void ContactSystem::letMove(std::size_t span, const SpanConfiguration& nodes) {
     moving.push_back(place);
   };
   std::vector<Place> others;
-  for (const Place& place : spans_[span].places) {
+  for (std::size_t p = 0; p < spans_[span].places.size(); ++p) {
+    const Place& place = spans_[span].places[p];
     if (place.moves) {
       add(place);
       continue;
@@ -164,7 +192,8 @@ void ContactSystem::letMove(std::size_t span, const SpanConfiguration& nodes) {
       at.held = {held};
       at.base = false;
       at.moves = true;
-      if (held.now > 0.0 && toMinimum(span, nodes, at) && isSharp(span, nodes, at)) {
+      if (held.now > 0.0 && !liesFlat(span, nodes, p) && toMinimum(span, nodes, at) &&
+          isSharp(span, nodes, at)) {
         add(at);
       } else {
         rest.held.push_back(held);

@@ -166,6 +166,7 @@ class ContactSystem {
   bool isSharp(std::size_t span, const SpanConfiguration& nodes, const Place& place) const;
   void moveMinima(std::size_t span, const SpanConfiguration& nodes);
   void letMove(std::size_t span, const SpanConfiguration& nodes);
+  bool liesFlat(std::size_t span, const SpanConfiguration& nodes, std::size_t place) const;
   std::vector<std::vector<const Pressing*>> pressingRuns() const;
   /// Whether a place is so near to one that moves with a blunt minimum that it would hold its slope as soon
   /// as it pressed, however little.

@@ -1,0 +1,1 @@
+"""The parts of the rail, built with the solids of the engine bay."""
