@@ -241,24 +241,35 @@ TEST(pair_clearance, of_production_is_a_distance_that_the_share_keeps) {
   EXPECT_GT(ofProduction(scene, 0.6).pair.distance, 0.0);
 }
 
-// The least distance of two cables by brute force along both, apart from where they hang together.
+// The least distance of two cables by brute force along both, apart from where they hang together; and again
+// more closely about where it was found, for where that ends the distance falls as fast as the cables part.
 double leastBetween(const Harness& harness, const Equilibrium& equilibrium, const EnvelopeClearance& pair) {
   const CableShape &first = equilibrium.shapes[pair.cable], &second = equilibrium.shapes[*pair.other];
   const double way = 4.0 * (first.radius + second.radius);
   const auto joint = jointBetween(harness, pair.cable, *pair.other);
   if (!joint) throw std::runtime_error("not joined");
-  constexpr double kStep = 0.0002;  // where they hang together ends, the distance falls as fast as they part
-  std::vector<Vector3d> points;
-  for (double t = 0.0; t <= second.points.back().arc_length; t += kStep) points.push_back(second.position(t));
-  double least = 1.0;
-  for (double s = 0.0; s <= first.points.back().arc_length; s += kStep) {
-    const Vector3d point = first.position(s);
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      if (std::abs(s - joint->on_first) + std::abs(static_cast<double>(k) * kStep - joint->on_second) < way)
-        continue;
-      least = std::min(least, (point - points[k]).norm() - first.radius - second.radius);
+  double least = 1.0, at_s = 0.0, at_t = 0.0;
+  const auto look = [&](double from_s, double to_s, double from_t, double to_t, double step) {
+    std::vector<Vector3d> points;
+    for (double t = from_t; t <= to_t; t += step) points.push_back(second.position(t));
+    for (double s = from_s; s <= to_s; s += step) {
+      const Vector3d point = first.position(s);
+      for (std::size_t k = 0; k < points.size(); ++k) {
+        const double t = from_t + static_cast<double>(k) * step;
+        if (std::abs(s - joint->on_first) + std::abs(t - joint->on_second) < way) continue;
+        const double distance = (point - points[k]).norm() - first.radius - second.radius;
+        if (distance >= least) continue;
+        least = distance;
+        at_s = s;
+        at_t = t;
+      }
     }
-  }
+  };
+  const double first_length = first.points.back().arc_length, second_length = second.points.back().arc_length;
+  constexpr double kStep = 0.002, kFine = 0.0001;
+  look(0.0, first_length, 0.0, second_length, kStep);
+  look(std::max(0.0, at_s - kStep), std::min(first_length, at_s + kStep), std::max(0.0, at_t - kStep),
+       std::min(second_length, at_t + kStep), kFine);
   return least;
 }
 
