@@ -50,8 +50,7 @@ std::string textOf(const Scene& scene, const Simulation& simulation) {
   text += std::string(toString(found.sampler)) + ", seed " + std::to_string(found.seed) + "; " +
           numberText(simulation.time, 3) + " s";
   if (simulation.time > 0.0)
-    text += ", " + std::to_string(std::lround(static_cast<double>(found.samples) / simulation.time)) +
-            " a second";
+    text += ", " + numberText(static_cast<double>(found.samples) / simulation.time, 2) + " a second";
   return text + "\n";
 }
 

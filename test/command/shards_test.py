@@ -198,6 +198,28 @@ class ShardsTest(unittest.TestCase):
         self.assertEqual(answer['resumed_samples'], 0)
         self.same_as_whole(answer, 'new')
 
+    def test_a_run_that_was_killed_as_it_began_begins_anew(self):
+        self.shard('early', 0, SAMPLES)
+        with open(self.path('early.blocks'), 'rb') as file:
+            begun = file.read(200)
+        for size in (0, 1, 10, 30, 100):
+            with open(self.path('early.blocks'), 'wb') as file:
+                file.write(begun[:size])
+            answer = self.answer(self.simulation('early', '--resume'))
+            self.assertEqual(answer['resumed_samples'], 0)
+            self.same_as_whole(answer, 'early')
+        with open(self.path('early.blocks'), 'w', encoding='utf-8') as file:
+            file.write('notes\n')
+        self.refused(self.simulation('early', '--resume'), 'does not begin as a file of blocks')
+
+    def test_numbers_of_a_block_are_checked(self):
+        self.shard('first', 0, 256)
+        self.shard('numbers', 256, SAMPLES)
+        with open(self.path('numbers.blocks'), 'r+b') as file:
+            file.seek(len('cable_variation blocks 1\n') + 8)
+            file.write(b'\x07')
+        self.refused(('merge', 'first.blocks', 'numbers.blocks', '--name', 'all'), 'header is damaged')
+
     def test_a_full_disk_is_told(self):
         def small_files():
             signal.signal(signal.SIGXFSZ, signal.SIG_IGN)

@@ -7,8 +7,10 @@
 #include <gtest/gtest.h>
 
 #include <cable_variation/equilibrium/equilibrium.h>
+#include <cable_variation/measures/measure_evaluation.h>
 #include <cable_variation/scene/design.h>
 #include <cable_variation/scene_file/scene_reader.h>
+#include <cable_variation/sensitivity/stability_analysis.h>
 
 #include "test_packages.h"
 
@@ -95,6 +97,33 @@ TEST(ShippedContact, BundleLiesAlongTheRail) {
   for (const ContactInterval& each : result.contacts) sum += each.force;
   for (const Reaction& clip : result.clip_reactions) sum += clip.force;
   EXPECT_LT(sum.norm(), 1e-4);
+}
+
+// Where a cable lies along a part, shapes solved anew two steps away tell the derivatives.
+TEST(ShippedContact, DerivativesAlongTheRailAreThoseOfSolvedShapes) {
+  const Scene scene = shipped("rail");
+  StabilityOptions options;
+  options.variables = {0};
+  options.low_high = false;
+  EquilibriumOptions accuracy;
+  accuracy.accuracy = kAccuracy;
+  EquilibriumSolver solver(accuracy);
+  const Equilibrium nominal = solver.solve(scene.harness);
+  const ComponentPoses components = componentPosesAt(scene, {});
+  const MeasureEvaluator evaluator(scene, {scene.harness, nominal, components});
+  const StabilityAnalysis analysis = analyseStability(scene, evaluator, options, solver);
+  ASSERT_TRUE(analysis.nominal.converged());
+  const double step = 0.2 * scene.design_variables[0].upper;
+  const auto pressedAt = [&](double longer) {
+    double total = 0.0;
+    for (const ContactInterval& each :
+         solved(harnessAt(scene, {{"length", scene.design_variables[0].nominal + longer}})).contacts)
+      total += each.total;
+    return total;
+  };
+  const double slope = (pressedAt(step) - pressedAt(-step)) / (2.0 * step);
+  ASSERT_EQ(scene.measures[analysis.measures[0]].name, "pressed");
+  EXPECT_NEAR(analysis.jacobian(0, 0), slope, 0.1 * std::abs(slope));
 }
 
 }  // namespace

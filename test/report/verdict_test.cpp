@@ -179,5 +179,15 @@ TEST_F(ClearanceVerdicts, AllTogether) {
   EXPECT_EQ(overallVerdict(scene_, {}, {}).verdict, Verdict::no_limits);
 }
 
+TEST_F(Verdicts, ASolvedLimitBeyondTheMeasuresOwnFails) {
+  linear_.low_high = {{{9.0, 11.0}, {9.0, 24.0}}};
+  EXPECT_EQ(withSigma(0.5).verdict, Verdict::pass);
+  linear_.low_high[0].push_back({4.9, 10.0});
+  EXPECT_EQ(withSigma(0.5).verdict, Verdict::fail);
+  EXPECT_EQ(std::string(verdict().basis), "low and high");
+  linear_.low_high[0].back() = {kNaN, 10.0};
+  EXPECT_EQ(withSigma(0.5).verdict, Verdict::pass) << "what has no value breaks no limit";
+}
+
 }  // namespace
 }  // namespace cable_variation

@@ -1,7 +1,10 @@
 #include <cable_variation/analysis/block_file.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <utility>
 
@@ -18,8 +21,9 @@ namespace cable_variation {
 namespace {
 
 const std::string kMagic = "cable_variation blocks 1\n";
-// Of a record: first sample, count, length and checksum of its bytes.
-constexpr std::size_t kRecordHead = 3 * sizeof(std::uint64_t) + sizeof(std::uint32_t);
+// Of a record: first sample, count and length of its bytes; and the checksum of these numbers and the bytes.
+constexpr std::size_t kRecordNumbers = 3 * sizeof(std::uint64_t);
+constexpr std::size_t kRecordHead = kRecordNumbers + sizeof(std::uint32_t);
 constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 32;  // of a header or block that is one
 
 [[noreturn]] void fail(const std::string& path, const char* what, int error) {
@@ -27,12 +31,14 @@ constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 32;  // of a header or 
 }
 
 std::string recordOf(const BlockRange& range, const std::string& bytes) {
-  ByteWriter record;
-  record.write<std::uint64_t>(range.first);
-  record.write<std::uint64_t>(range.count);
-  record.write<std::uint64_t>(bytes.size());
-  record.write(checksum(bytes));
-  return record.take() + bytes;
+  ByteWriter numbers;
+  numbers.write<std::uint64_t>(range.first);
+  numbers.write<std::uint64_t>(range.count);
+  numbers.write<std::uint64_t>(bytes.size());
+  const std::string head = numbers.take();
+  ByteWriter sum;
+  sum.write(checksum(head + bytes));
+  return head + sum.take() + bytes;
 }
 
 std::string textOf(const BlockFileHeader& header) {
@@ -79,6 +85,21 @@ BlockFileReader::BlockFileReader(std::string path) : path_(std::move(path)) {
   }
 }
 
+bool BlockFileReader::isCutInHeader(const std::string& path) {
+  std::error_code error;
+  const std::uint64_t whole = std::filesystem::file_size(path, error);
+  if (error) return false;  // a folder, or none
+  std::string head(kMagic.size() + kRecordHead, '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  const auto read = static_cast<std::size_t>(file.gcount());
+  if (head.compare(0, std::min(read, kMagic.size()), kMagic, 0, read) != 0) return false;
+  if (read < head.size()) return true;
+  ByteReader reader(std::string_view(head).substr(kMagic.size() + 2 * sizeof(std::uint64_t)));
+  const auto size = reader.read<std::uint64_t>();
+  return size < kMostBytes && whole < head.size() + size;
+}
+
 BlockFileReader::~BlockFileReader() {
   if (file_ >= 0) ::close(file_);
 }
@@ -122,7 +143,8 @@ void BlockFileReader::readHeader() {
   const auto size = reader.read<std::uint64_t>();
   const auto sum = reader.read<std::uint32_t>();
   const std::string text = size < kMostBytes ? read(start, size) : "";
-  if (text.size() != size || checksum(text) != sum) refuse("its header is damaged");
+  if (text.size() != size || checksum(head.substr(kMagic.size(), kRecordNumbers) + text) != sum)
+    refuse("its header is damaged");
   try {
     header_ = headerFrom(text);
   } catch (const std::invalid_argument& error) {
@@ -142,7 +164,7 @@ bool BlockFileReader::readRecord() {
   const auto sum = reader.read<std::uint32_t>();
   if (size >= kMostBytes || range.count == 0) return false;
   const std::string bytes = read(end_ + kRecordHead, size);
-  if (bytes.size() != size || checksum(bytes) != sum) return false;
+  if (bytes.size() != size || checksum(head.substr(0, kRecordNumbers) + bytes) != sum) return false;
   blocks_[range] = {end_ + kRecordHead, size};
   end_ += kRecordHead + size;
   return true;

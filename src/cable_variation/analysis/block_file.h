@@ -29,6 +29,9 @@ class BlockFileReader {
   BlockFileReader(BlockFileReader&& other) noexcept;
   BlockFileReader& operator=(BlockFileReader&&) = delete;
 
+  /// Whether a file ends before its header does: its run was ended as it began, and nothing is in it.
+  static bool isCutInHeader(const std::string& path);
+
   const std::string& path() const { return path_; }
   const BlockFileHeader& header() const { return header_; }
   std::size_t count() const { return blocks_.size(); }  ///< of the blocks that are there

@@ -32,7 +32,7 @@ void requireSame(const BlockFileHeader& file, const std::string& path, const Blo
 
 KeptBlocks::KeptBlocks(const std::string& path, const BlockFileHeader& header, bool resume, bool is_shard)
     : path_(path), is_shard_(is_shard) {
-  if (!resume || !std::filesystem::exists(path)) {
+  if (!resume || !std::filesystem::exists(path) || BlockFileReader::isCutInHeader(path)) {
     writer_ = std::make_unique<BlockFileWriter>(path, header);
     return;
   }

@@ -17,6 +17,7 @@ struct TableKey {
 
 void readTable(const YamlCursor& item, const std::vector<TableKey>& keys) {
   std::vector<std::string> names;
+  names.reserve(keys.size());
   for (const TableKey& key : keys) names.emplace_back(key.name);
   if (!item.checkKeys(names)) return;
   for (const TableKey& key : keys) {

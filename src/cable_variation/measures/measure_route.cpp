@@ -118,7 +118,7 @@ MeasureValue routeDeviationValue(const MeasureContext& context, const Measure& m
 
 RateOfMeasure routeDeviationRate(const MeasureContext& context, const Measure& measure,
                                  const MeasureValue& value) {
-  return [&context, &measure, &value, stretch = Stretch(context, measure)](const MeasureRates& rates) {
+  return [&value, stretch = Stretch(context, measure)](const MeasureRates& rates) {
     const CableRates cable = rates.cable(value.cable);
     if (value.value <= kSameShape) return stretch.leaving(cable);
     return value.trace.direction.dot(stretch.shift(value.trace.place, cable));

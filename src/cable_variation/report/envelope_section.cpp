@@ -44,7 +44,7 @@ const char* kindText(EnvelopeClearance::Kind kind) {
     case EnvelopeClearance::Kind::bodies:
       break;
   }
-  return "a bound for all shapes";
+  return "a bound for all shapes in the envelope";
 }
 
 ReportTable closestTable(const Scene& scene, const EnvelopeFindings& found) {

@@ -33,6 +33,15 @@ std::optional<std::size_t> placeOf(const std::vector<std::size_t>& all, std::siz
   return static_cast<std::size_t>(found - all.begin());
 }
 
+// Whether a variable at a limit, the others nominal, takes the measure beyond its own: solved, not predicted.
+bool isBrokenAtALimit(const Measure& measure, const std::vector<LowHigh>& solved) {
+  const auto breaks = [&](double value) {
+    return (measure.lower && value < *measure.lower) || (measure.upper && value > *measure.upper);
+  };
+  return std::any_of(solved.begin(), solved.end(),
+                     [&](const LowHigh& each) { return breaks(each.low) || breaks(each.high); });
+}
+
 void judgeLinear(const Measure& measure, const StabilityAnalysis& linear, MeasureVerdict& result) {
   const auto place = placeOf(linear.measures, result.measure);
   if (!place || !linear.whyUndefined(*place).empty()) return;
@@ -46,6 +55,10 @@ void judgeLinear(const Measure& measure, const StabilityAnalysis& linear, Measur
   if (std::isnan(result.cpk)) return;
   result.verdict = byIndex(result.cpk);
   result.basis = "first order";
+  if (result.verdict == Verdict::fail || linear.low_high.empty()) return;
+  if (!isBrokenAtALimit(measure, linear.low_high[*place])) return;
+  result.verdict = Verdict::fail;
+  result.basis = "low and high";
 }
 
 void judgeSimulated(const SimulationStatistics& simulation, MeasureVerdict& result) {

@@ -11,6 +11,7 @@
 #include <cable_variation/equilibrium/neutral_note.h>
 #include <cable_variation/measures/open_parts.h>
 #include <cable_variation/scene/measure_traits.h>
+#include <cable_variation/sensitivity/curvature_warnings.h>
 #include <cable_variation/tolerances/tolerances.h>
 #include <cable_variation/util/chosen_indices.h>
 #include <cable_variation/util/seconds_since.h>
@@ -92,8 +93,60 @@ class Analysis {
       result_.jacobian.row(r).setConstant(std::numeric_limits<double>::quiet_NaN());
       warn(measure(row).name, ": derivatives and spread are not defined: ", result_.undefined.back());
     }
+    if (touchesAlongStretch()) differentiateBySteps(evaluator);
     warnOfTouches();
     result_.linear_time = secondsSince(start);
+  }
+
+  // Where a cable lies along a part, what touches begins and ends elsewhere at once, which derivatives with
+  // the places held do not know of.
+  bool touchesAlongStretch() const {
+    return std::any_of(result_.nominal.contacts.begin(), result_.nominal.contacts.end(),
+                       [](const ContactInterval& at) { return at.places.size() > 1; });
+  }
+
+  // Replaces the derivatives that are defined by differences of solved shapes a step to either side.
+  void differentiateBySteps(const MeasureEvaluator& evaluator) {
+    for (std::size_t column = 0; column < result_.variables.size(); ++column) {
+      const double step = kStepOfTolerance * toleranceOf(column);
+      const std::vector<MeasureValue> below = valuesAt(evaluator, column, -step);
+      const std::vector<MeasureValue> above = valuesAt(evaluator, column, step);
+      for (std::size_t row = 0; row < result_.measures.size(); ++row) {
+        if (!result_.undefined[row].empty() || result_.one_sided[row]) continue;
+        double& slope = result_.jacobian(static_cast<Eigen::Index>(row), static_cast<Eigen::Index>(column));
+        slope = (above[row].value - below[row].value) / (2.0 * step);
+        if (!std::isfinite(slope)) {
+          result_.undefined[row] =
+              "a tenth of the tolerance of " + variable(column).name + " off it has no value";
+          warn(measure(row).name, ": derivatives and spread are not defined: ", result_.undefined[row]);
+        }
+      }
+    }
+    for (std::size_t row = 0; row < result_.measures.size(); ++row) {
+      if (result_.undefined[row].empty()) continue;
+      result_.jacobian.row(static_cast<Eigen::Index>(row))
+          .setConstant(std::numeric_limits<double>::quiet_NaN());
+    }
+    warn(
+        "a cable touches along a stretch: derivatives are differences of shapes that are solved a tenth of "
+        "the "
+        "tolerances to either side");
+  }
+
+  // With a variable off its value in the design; not a number where that has no equilibrium.
+  std::vector<MeasureValue> valuesAt(const MeasureEvaluator& evaluator, std::size_t column,
+                                     double off) const {
+    std::vector<MeasureValue> values(result_.measures.size());
+    for (MeasureValue& value : values) value.value = std::numeric_limits<double>::quiet_NaN();
+    DesignValues design = options_.values;
+    const auto known = design.find(variable(column).name);
+    design[variable(column).name] = (known == design.end() ? variable(column).nominal : known->second) + off;
+    EquilibriumSolver aside = solver_;
+    const Harness harness = harnessAt(scene_, design, options_.moved);
+    const Equilibrium found = aside.update(harness);
+    if (!found.converged()) return values;
+    return evaluator.evaluate({harness, found, componentPosesAt(scene_, design, options_.moved)},
+                              result_.measures, &result_.values);
   }
 
   // Derivatives hold as long as cables touch what they touch.
@@ -101,14 +154,6 @@ class Analysis {
     if (result_.nominal.contacts.empty() && std::abs(result_.nominal.smallest_gap) < kNearlyTouching) {
       warn("a cable all but touches a part, with ", 1e3 * result_.nominal.smallest_gap,
            " mm between them: derivatives are those of one that does not");
-    }
-    const bool many = std::any_of(result_.nominal.contacts.begin(), result_.nominal.contacts.end(),
-                                  [](const ContactInterval& at) { return at.places.size() > 1; });
-    if (many) {
-      warn(
-          "a cable touches in more than a point: derivatives hold the places that press there, and are off "
-          "by as "
-          "much as their distance tells, some per cent");
     }
     std::map<Touch, double> forces;
     for (const ContactInterval& interval : result_.nominal.contacts)
@@ -217,6 +262,8 @@ class Analysis {
       warn("all tolerances together, each with its own loss of the smallest eigenvalue, use up all ",
            result_.nominal.smallest_eigenvalue, " N/m of it: some harness within the tolerances may snap");
     }
+    for (std::string& warning : curvatureWarnings(scene_, result_))
+      result_.warnings.push_back(std::move(warning));
     result_.resolve_time = secondsSince(start);
   }
 
@@ -281,6 +328,7 @@ class Analysis {
 
   static constexpr double kMuchSofter = 0.5;
   static constexpr double kNearlyTouching = 1e-5;  // [m]
+  static constexpr double kStepOfTolerance = 0.1;
 
   const Scene& scene_;
   const StabilityOptions& options_;

@@ -195,7 +195,9 @@ FollowedShape ShapeFollower::followInSteps(const SamplePlace& place, bool with_r
         continue;
       }
       const bool first = !close || (!followed.jump && !goesBack(here, placeAt(reached), ahead));
-      if (odd.distance > kOddOfLength * length_ && first) {
+      // a prediction that is off alone, as beside a motion that costs nothing, is none
+      const double gone = largestDistance(there.ends[0], here.ends[0]).distance;
+      if (std::min(odd.distance, gone) > kOddOfLength * length_ && first) {
         for (auto& kept : followed.on_the_way) kept.beyond = false;
         followed.jump = {here,
                          there,
@@ -204,7 +206,7 @@ FollowedShape ShapeFollower::followInSteps(const SamplePlace& place, bool with_r
                          equilibrium_here,
                          followed.equilibrium,
                          static_cast<std::size_t>(odd.column / 2),
-                         odd.distance};
+                         std::min(odd.distance, gone)};
       }
     } else {
       step = close ? 2.0 * step : std::min(2.0 * step, kFirstStep);
