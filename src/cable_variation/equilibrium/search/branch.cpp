@@ -430,8 +430,16 @@ void Branch::findEigenvalue(Equilibrium& result) {
     const std::string neutral = neutralText(softest, system, problem_.configuration);
     result.smallest_eigenvalue = softest.eigenvalue;
     if (unstable_ || !system.conservative()) return;
-    // it was judged stable: what is negative here is rounding
-    result.smallest_eigenvalue = std::max(result.smallest_eigenvalue, 0.0);
+    // It was judged stable by the signs of pivots, to a small share of what bends the cables. What is
+    // negative beyond rounding is a saddle all the same, as of a light branch that stands upright.
+    if (softest.eigenvalue < 0.0) {
+      if (leaveSaddle(softest.motion, result)) {
+        round = 0;
+        continue;
+      }
+      if (!neutral.empty()) result.notes.push_back(neutral);
+      return;
+    }
     const Configuration on_coarse =
         onGrid(problem_.topology, problem_.configuration, result.shapes, coarse.grid());
     const DiscretisationError error = estimateDiscretisation(system, coarse, on_coarse, false);
@@ -457,6 +465,41 @@ void Branch::findEigenvalue(Equilibrium& result) {
     result.shapes =
         describeShapes(problem_.harness, problem_.topology, *problem_.system, problem_.configuration);
   }
+}
+
+// Down along a motion of negative stiffness, either way, to a shape of less energy; the branch is unstable
+// where none is found, or too often.
+bool Branch::leaveSaddle(const NodalField& motion, Equilibrium& result) {
+  constexpr double kPushes[] = {0.05, -0.05, 0.5, -0.5};  // [rad]
+  constexpr int kMost = 4;
+  RodSystem& system = *problem_.system;
+  const Configuration saddle = problem_.configuration;
+  const double before = system.energy().total();
+  double rotation = 0.0;
+  for (const auto& nodes : motion.spans)
+    rotation = std::max(rotation, nodes.bottomRows<3>().colwise().norm().maxCoeff());
+  for (const double push : kPushes) {
+    if (left_saddles_ >= kMost || !(rotation > 0.0)) break;
+    NodalField step = motion;
+    step.scale(push / rotation);
+    system.evaluate(saddle, RodSystem::Hessian::exact);
+    if (system.contact() && system.contact()->freeShare(saddle, step) < 1.0) continue;
+    problem_.configuration = saddle;
+    system.predictStress(step);
+    system.move(step, problem_.configuration);
+    if (!system.arcLengthsInOrder(problem_.configuration)) continue;
+    if (!descend(false, StartStress::held, result)) continue;
+    system.evaluate(problem_.configuration, RodSystem::Hessian::none);
+    if (system.energy().total() < before && adaptGrid(result)) {
+      ++left_saddles_;
+      return true;
+    }
+    if (problem_.system.get() != &system) return false;  // on another grid already
+  }
+  problem_.configuration = saddle;
+  system.evaluate(saddle, RodSystem::Hessian::exact);
+  unstable_ = true;
+  return false;
 }
 
 // Far from the origin positions are rounded by what would stretch a slender cable noticeably.
@@ -505,6 +548,7 @@ bool Branch::describeContact(Equilibrium& result) {
 }
 
 void Branch::finish(Equilibrium& result) {
+  left_saddles_ = 0;
   if (lostInRounding(result)) return;
   if (options_.eigenvalue || unstable_) findEigenvalue(result);
   describe(problem_.harness, problem_.topology, *problem_.system, problem_.configuration, result);

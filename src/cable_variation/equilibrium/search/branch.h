@@ -76,6 +76,7 @@ class Branch {
   };
   OnGrid regrid(const Grid& grid, const std::vector<CableShape>& shapes);
   void restoreGrid(OnGrid before);
+  bool leaveSaddle(const NodalField& motion, Equilibrium& result);
   void returnToGrid();
   std::vector<std::vector<bool>> pairsThatMatter(const DiscretisationError& error, bool forces) const;
   bool overstretched(Equilibrium& result) const;
@@ -88,6 +89,7 @@ class Branch {
   Problem problem_;
   double softened_ = INFINITY;  // slenderness that the systems are softened to
   bool unstable_ = false;
+  int left_saddles_ = 0;                  // in this finish()
   double gap_tolerance_ = kGapTolerance;  // [m]
   struct GapAt {
     std::vector<SpanConfiguration> spans;
