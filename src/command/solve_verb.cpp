@@ -37,7 +37,8 @@ std::string figuresText(const Equilibrium& found) {
   const std::string eigenvalue =
       std::isnan(found.smallest_eigenvalue)
           ? "stable; the smallest eigenvalue is not known where cables touch parts"
-          : "smallest eigenvalue " + numberText(found.smallest_eigenvalue, 4) + " N/m (above 0: stable)";
+          : "smallest eigenvalue " + numberText(found.smallest_eigenvalue, 4) +
+                (found.smallest_eigenvalue > 0.0 ? " N/m (above 0: stable)" : " N/m");
   std::string text = eigenvalue + "; other stable shapes found: " + std::to_string(found.alternatives.size());
   text += "\n" + std::to_string(found.iterations) + " iterations, residual " + numberText(found.residual, 2) +
           " N, estimated error " + numberText(1e3 * found.discretisation_error, 2) + " mm, solved in " +

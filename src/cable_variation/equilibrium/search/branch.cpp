@@ -431,15 +431,24 @@ void Branch::findEigenvalue(Equilibrium& result) {
     result.smallest_eigenvalue = softest.eigenvalue;
     if (unstable_ || !system.conservative()) return;
     // It was judged stable by the signs of pivots, to a small share of what bends the cables. What is
-    // negative beyond rounding is a saddle all the same, as of a light branch that stands upright.
-    if (softest.eigenvalue < 0.0) {
+    // negative by more than it is known to may be a saddle all the same, as of a light branch that stands
+    // upright.
+    const double floor = options_.eigenvalue_accuracy * kOfBending * softestBending(system);
+    if (softest.eigenvalue < -floor) {
       if (leaveSaddle(softest.motion, result)) {
         round = 0;
         continue;
       }
+      std::ostringstream text;
+      text
+          << "the smallest eigenvalue is " << softest.eigenvalue
+          << " N/m, below 0 by less than stability is judged by: it may be a saddle, though no shape of less "
+             "energy was found beside it";
+      result.notes.push_back(text.str());
       if (!neutral.empty()) result.notes.push_back(neutral);
       return;
     }
+    result.smallest_eigenvalue = std::max(result.smallest_eigenvalue, 0.0);
     const Configuration on_coarse =
         onGrid(problem_.topology, problem_.configuration, result.shapes, coarse.grid());
     const DiscretisationError error = estimateDiscretisation(system, coarse, on_coarse, false);
@@ -467,8 +476,8 @@ void Branch::findEigenvalue(Equilibrium& result) {
   }
 }
 
-// Down along a motion of negative stiffness, either way, to a shape of less energy; the branch is unstable
-// where none is found, or too often.
+// Down along a motion of negative stiffness, either way, to a shape of less energy. Whether there is one,
+// this often.
 bool Branch::leaveSaddle(const NodalField& motion, Equilibrium& result) {
   constexpr double kPushes[] = {0.05, -0.05, 0.5, -0.5};  // [rad]
   constexpr int kMost = 4;
@@ -498,7 +507,6 @@ bool Branch::leaveSaddle(const NodalField& motion, Equilibrium& result) {
   }
   problem_.configuration = saddle;
   system.evaluate(saddle, RodSystem::Hessian::exact);
-  unstable_ = true;
   return false;
 }
 
