@@ -49,8 +49,10 @@ std::string textOf(const Scene& scene, const Simulation& simulation) {
   text += outcomesText(found);
   text += std::string(toString(found.sampler)) + ", seed " + std::to_string(found.seed) + "; " +
           numberText(simulation.time, 3) + " s";
-  if (simulation.time > 0.0)
-    text += ", " + numberText(static_cast<double>(found.samples) / simulation.time, 2) + " a second";
+  if (simulation.time > 0.0) {
+    const double rate = static_cast<double>(found.samples) / simulation.time;
+    text += ", " + (rate < 10.0 ? numberText(rate, 2) : std::to_string(std::lround(rate))) + " a second";
+  }
   return text + "\n";
 }
 
